@@ -92,7 +92,7 @@ constexpr mat<T, 4, 4> studio_matrix(const studio_transformation<T>& t) noexcept
   const plane<T> onto{n[0], n[1], n[2], n[3]};
   const auto or_none = [](const auto& m) {
     return m.is_ordinary() ? m.value
-                           : filled_mat<T, 4, 4>([](int, int) { return std::numeric_limits<T>::quiet_NaN(); });
+                           : generate_mat<T, 4, 4>([](int, int) { return std::numeric_limits<T>::quiet_NaN(); });
   };
   switch (t.kind) {
     case studio_map::translate: return translation(first);
@@ -107,7 +107,7 @@ constexpr mat<T, 4, 4> studio_matrix(const studio_transformation<T>& t) noexcept
     case studio_map::central: return or_none(central_projection_onto_checked(onto, to_point(last)));
     case studio_map::matrix: break;
   }
-  return filled_mat<T, 4, 4>([&](int r, int c) { return n[static_cast<std::size_t>(4 * r + c)]; });
+  return generate_mat<T, 4, 4>([&](int r, int c) { return n[static_cast<std::size_t>(4 * r + c)]; });
 }
 
 }  // namespace IRG_ABI

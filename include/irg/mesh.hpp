@@ -20,5 +20,6 @@
 #include <irg/mesh/merge_positions.hpp>
 #include <irg/mesh/merge_vertices.hpp>
 #include <irg/mesh/fit.hpp>
+#include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/part_name.hpp>
 #include <irg/mesh/to_mesh.hpp>

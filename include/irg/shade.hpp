@@ -12,3 +12,4 @@
 #include <irg/shade/texture.hpp>
 #include <irg/shade/mip_pyramid.hpp>
 #include <irg/shade/texture_lanes.hpp>
+#include <irg/shade/per_channel.hpp>

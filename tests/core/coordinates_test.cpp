@@ -214,3 +214,10 @@ TEST_CASE("coordinates: OpenCV's points") {
   MESSAGE("skipped: OpenCV was not found");
 #endif
 }
+
+TEST_CASE("CoordinatesOfKind: what says so, and no type that may be a vector or a point") {
+  static_assert(!irg::CoordinatesOfKind<plain3, coordinate_kind::point>);
+  static_assert(!irg::CoordinatesOfKind<plain3, coordinate_kind::vector>);
+  static_assert(irg::CoordinatesOfKind<plain3, coordinate_kind::any>);
+  static_assert(!irg::CoordinatesOfKind<int, coordinate_kind::any>);
+}

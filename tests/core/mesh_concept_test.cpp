@@ -97,3 +97,8 @@ TEST_CASE("mesh: without faces") {
   CHECK(irg::mesh_vertex_count(m) == 0);
   CHECK(six_volumes(m) == 0.0f);
 }
+
+TEST_CASE("SpaceMesh: positions in space, of floats or doubles") {
+  static_assert(irg::SpaceMesh<triangles>);
+  static_assert(!irg::SpaceMesh<incomplete> && !irg::SpaceMesh<int>);
+}

@@ -143,3 +143,12 @@ TEST_CASE("compare: against rationals, on hard numbers, and with subnormal ones 
   check_random<std::int64_t, 3>(test::many_trials(5000));
 }
 #endif
+
+TEST_CASE("compare: between the ends of a segment") {
+  CHECK_BOTH(irg::is_between_ends(P2{0, 0}, P2{2, 1}, P2{1, 0.5}));
+  CHECK_BOTH(irg::is_between_ends(P2{2, 1}, P2{0, 0}, P2{2, 1}));
+  CHECK_BOTH(!irg::is_between_ends(P2{2, 1}, P2{0, 0}, P2{-2, -1}));
+  CHECK_BOTH(irg::is_between_ends(P3{1, 1, -huge}, P3{1, 1, huge}, P3{1, 1, tiny}));
+  CHECK_BOTH(!irg::is_between_ends(P3{1, 1, 0}, P3{1, 1, 0}, P3{1, 1, tiny}));
+  CHECK_BOTH(irg::is_between_ends(I2{least, 0}, I2{most, 0}, I2{0, 0}));
+}

@@ -62,4 +62,13 @@ TEST_CASE("is_on_triangle: lattice points of a plane, by weights in integers (or
   CHECK(on > 300);
 }
 
+TEST_CASE("seen_along, orientation_along: two coordinates in their order, and their turn") {
+  CHECK_BOTH(irg::seen_along(0, corner{1, 2, 3}) == irg::point<double, 2>{2, 3});
+  CHECK_BOTH(irg::seen_along(1, corner{1, 2, 3}) == irg::point<double, 2>{1, 3});
+  CHECK_BOTH(irg::seen_along(2, std::array<int, 3>{1, 2, 3}) == irg::point<int, 2>{1, 2});
+  CHECK_BOTH(irg::orientation_along(2, corner{0, 0, 9}, corner{1, 0, -9}, corner{0, 1, 0}) == 1);
+  CHECK_BOTH(irg::orientation_along(0, corner{9, 0, 0}, corner{0, 0, 1}, corner{-9, 1, 0}) == -1);
+  CHECK_BOTH(irg::orientation_along(1, corner{0, 5, 0}, corner{1, 6, 1}, corner{2, -7, 2}) == 0);
+}
+
 }  // namespace

@@ -74,7 +74,7 @@ TEST_CASE(
         key[3 * i + 2] = f.v[i].depth;
       }
       const auto [place, is_new] = apart.emplace(key, &f);
-      const bool is_lower = f.number < place->second->number, is_last = irg::detail::depth_sense<Order> == 0;
+      const bool is_lower = f.number < place->second->number, is_last = irg::depth_sense<Order> == 0;
       if (!is_new && is_lower != is_last) place->second = &f;
     }
     irg::image<std::uint32_t> ids(size, size, irg::no_face);

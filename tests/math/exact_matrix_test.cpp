@@ -67,8 +67,7 @@ TEST_CASE("determinant_exact: against rationals, rounded by MPFR") {
                              : std::ldexp(r.unit() - 0.5, static_cast<int>(r.integer(-9, 9)));
     if (i % 2 == 0)  // the last row depends on the others, but for roundings
       for (int c = 0; c < 4; ++c) a(3, c) = a(0, c) * 0.5 + (i % 3 == 0 ? 0 : a(1, c) * 0.3);
-    const auto exact_of =
-        irg::detail::filled_mat<big_rational, 4, 4>([&](int y, int x) { return big_rational(a(y, x)); });
+    const auto exact_of = irg::generate_mat<big_rational, 4, 4>([&](int y, int x) { return big_rational(a(y, x)); });
     const big_rational truth = determinant(exact_of);
     CHECK(determinant_sign(a) == truth.sign());
     singular += truth.sign() == 0 ? 1 : 0;
@@ -138,7 +137,7 @@ TEST_CASE_TEMPLATE("inverse_exact: ties go to even, subnormal ones too", T, doub
       a(2, k) = std::ldexp(a(2, k), power - half);
     }
     const auto x = inverse_exact(a);
-    const auto exact = irg::inverse(irg::detail::filled_mat<big_rational, 3, 3>(
+    const auto exact = irg::inverse(irg::generate_mat<big_rational, 3, 3>(
         [&](int p, int q) { return big_rational(static_cast<double>(a(p, q))); }));
     bool is_large = false;
     for (int p = 0; p < 3; ++p)

@@ -266,3 +266,23 @@ TEST_CASE("exact_accumulator: against GMP, signs and rounded values") {
 }
 
 #endif
+
+TEST_CASE("rounded_to_double: integers of many words, as the accumulator rounds them") {
+  using irg::wide_int;
+  CHECK_BOTH(irg::rounded_to_double(wide_int<4>(-3), -1) == -1.5);
+  CHECK_BOTH(irg::rounded_to_double(wide_int<1>(0), 100) == 0);
+  CHECK_BOTH(irg::rounded_to_double(wide_int<2>(1), 2000) == infinite);
+  CHECK_BOTH(irg::rounded_to_double(wide_int<2>((std::int64_t{1} << 53) + 1)) == 0x1p53);      // ties to even
+  CHECK_BOTH(irg::rounded_to_double(wide_int<1>(-((std::int64_t{1} << 53) + 3))) == -0x1p53 - 4);
+  CHECK_BOTH(irg::rounded_to_double(wide_int<1>(3), -1075) == 0x1p-1073);
+  test::random r(80);
+  int differ = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    const std::int64_t a = r.integer(-1'000'000'000'000, 1'000'000'000'000), b = r.integer(-(1 << 30), 1 << 30);
+    exact_accumulator<3> sum;  // both fit a double
+    sum.add(static_cast<double>(a), static_cast<double>(a), static_cast<double>(b));
+    const wide_int<3> product = wide_int<1>(a) * wide_int<1>(a) * wide_int<1>(b);
+    differ += !same_bits(irg::rounded_to_double(product, -7), sum.rounded(-7));
+  }
+  CHECK(differ == 0);
+}

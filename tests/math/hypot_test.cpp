@@ -2,6 +2,7 @@
 #include <irg/math/hypot.hpp>
 
 #include "support/check_both.hpp"
+#include "support/random.hpp"
 #include "support/ulp.hpp"
 
 namespace {
@@ -158,3 +159,24 @@ TEST_CASE_TEMPLATE("lengths stay within their bound where they are subnormal, an
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif
+
+TEST_CASE("hypot_from_root: the bits of hypot, one by one and in registers") {
+  CHECK_BOTH(irg::sum_of_squares(2.0, -3.0, 6.0) == 49);
+  CHECK_BOTH(irg::sum_of_squares(0x1p-30 + 1, 0x1p-60) == 1 + 0x1p-29 + 0x1p-60);
+  CHECK_BOTH(irg::hypot_from_root(49.0, 7.0, 2.0, 3.0, 6.0) == 7);
+  test::random r(67);
+  using F = irg::pack<double, 4>;
+  int differ = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const double size = std::ldexp(1.0, static_cast<int>(r.integer(-390, 390)));
+    const double x = size * r.unit(), y = size * r.unit(), z = size * r.unit();
+    const double square = irg::sum_of_squares(x, y, z);
+    const double due = irg::hypot(x, y, z);
+    differ += irg::hypot_from_root(square, irg::sqrt(square), x, y, z) != due;
+    const auto all = [](double v) { return irg::lanes<F>::broadcast(v); };
+    const F squares = irg::sum_of_squares(all(x), all(y), all(z));
+    const F lengths = irg::hypot_from_root(squares, irg::square_root_instruction(squares), all(x), all(y), all(z));
+    differ += lengths[0] != due || lengths[3] != due;
+  }
+  CHECK(differ == 0);
+}

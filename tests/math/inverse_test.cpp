@@ -57,7 +57,7 @@ using exact4 = mat<big_rational, 4, 4>;
 
 template <class T>
 exact4 exact_of(const mat<T, 4, 4>& a) {
-  return irg::detail::filled_mat<big_rational, 4, 4>(
+  return irg::generate_mat<big_rational, 4, 4>(
       [&](int i, int j) { return big_rational(static_cast<double>(a(i, j))); });
 }
 
@@ -85,7 +85,7 @@ errors errors_of(const mat<T, 4, 4>& got, const exact4& exact) {
 
 double condition_of(const mat4& a, const exact4& x) {
   return irg::norm_1(a) *
-         irg::norm_1(irg::detail::filled_mat<double, 4, 4>([&](int i, int j) { return static_cast<double>(x(i, j)); }));
+         irg::norm_1(irg::generate_mat<double, 4, 4>([&](int i, int j) { return static_cast<double>(x(i, j)); }));
 }
 
 #endif
@@ -159,13 +159,13 @@ TEST_CASE("inverse: rationals and floats agree on small integers") {
     singular += undo ? 0 : 1;
     if (undo) CHECK((*undo * a == identity<rational, 4>() && a * *undo == identity<rational, 4>()));
     // The same matrix in floats: absent exactly when singular.
-    const auto b = irg::detail::filled_mat<float, 4, 4>(
-        [&](int y, int x) { return static_cast<float>(static_cast<double>(a(y, x))); });
+    const auto b =
+        irg::generate_mat<float, 4, 4>([&](int y, int x) { return static_cast<float>(static_cast<double>(a(y, x))); });
     CHECK(inverse(b).has_value() == undo.has_value());
     CHECK(inverse_accurate(b).has_value() == undo.has_value());
     CHECK(inverse_exact(b).has_value() == undo.has_value());
     if (!undo) continue;
-    const auto nearest = irg::detail::filled_mat<float, 4, 4>(
+    const auto nearest = irg::generate_mat<float, 4, 4>(
         [&](int y, int x) { return static_cast<float>(static_cast<double>((*undo)(y, x))); });
     CHECK(*inverse_exact(b) == nearest);
     const mat<float, 4, 4> difference = *inverse_accurate(b) - nearest;
@@ -235,7 +235,7 @@ TEST_CASE("inverse: degenerate and hostile") {
 
 TEST_CASE("inverse: Hilbert matrices") {
   const auto hilbert = []<int N>(std::integral_constant<int, N>) {
-    return irg::detail::filled_mat<double, N, N>([](int y, int x) { return 1.0 / (y + x + 1); });
+    return irg::generate_mat<double, N, N>([](int y, int x) { return 1.0 / (y + x + 1); });
   };
   const auto h4 = inverse(hilbert(std::integral_constant<int, 4>{}));
   CHECK(h4.has_value());
@@ -320,7 +320,7 @@ TEST_CASE("inverse: mixed exponents, against rationals") {
     CHECK((truth && x));
     if (truth && x) exact = std::max(exact, errors_of(*x, *truth).of_entry);
     if (truth && y) accurate = std::max(accurate, errors_of(*y, *truth).of_norm);
-    const auto f = irg::detail::filled_mat<float, 4, 4>(
+    const auto f = irg::generate_mat<float, 4, 4>(
         [&](int p, int q) { return static_cast<float>(std::ldexp(a(p, q), a(p, q) > 1 || a(p, q) < -1 ? -90 : 10)); });
     const auto f_truth = inverse(exact_of(f));
     const auto g = inverse_exact(f);

@@ -138,3 +138,24 @@ TEST_CASE("length: float's directions") {
   }
   CHECK(worst <= 2 * 0x1p-24);
 }
+
+TEST_CASE("scaled_near_one: the largest coordinate is from 1 to below 4, the others keep their share of it") {
+  static_assert(scaled_near_one(vec<float, 2>{0.75f, -6}).scale == 0.25);
+  CHECK_BOTH(scaled_near_one(vec<double, 3>{0x1p1000, -0x1p999, 0}).c[1] == -0.5);
+  CHECK_BOTH(scaled_near_one(vec<double, 3>{}).scale == 0);
+  CHECK_BOTH(is_nan(scaled_near_one(vec<double, 2>{1, inf}).scale));
+  CHECK_BOTH(is_nan(scaled_near_one(vec<double, 2>{nan_, 0}).scale));
+  CHECK_BOTH(scaled_near_one(vec<double, 2>{smallest, 0}).scale == 0x1p1023);
+  test::random r(511);
+  int wrong = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const int exponent = static_cast<int>(r.integer(-900, 900));
+    vec<double, 3> v{};
+    for (double* c : {&v.x, &v.y, &v.z}) *c = std::ldexp((2 * r.unit() - 1), exponent);
+    const auto s = scaled_near_one(v);
+    double most = 0;
+    for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(s.c[k])), wrong += s.c[k] / s.scale != v[k];
+    wrong += !(most >= 1 && most < 4);
+  }
+  CHECK(wrong == 0);
+}

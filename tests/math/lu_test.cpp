@@ -106,7 +106,7 @@ TEST_CASE("lu: errors of solutions, against rationals") {
     const double step = std::ldexp(1.0, -10 - i % 36);
     for (int c = 0; c < 4; ++c) a(3, c) = a(0, c) + a(1, c) + step * a(3, c);
     const vec<double, 4> b{r.unit(), r.unit(), r.unit(), r.unit()};
-    const auto exact = irg::detail::filled_mat<big_rational, 4, 4>([&](int y, int x) { return big_rational(a(y, x)); });
+    const auto exact = irg::generate_mat<big_rational, 4, 4>([&](int y, int x) { return big_rational(a(y, x)); });
     const auto undo = inverse(exact);
     const auto x = lu_solve_refined(a, b);
     if (!undo || !x) {

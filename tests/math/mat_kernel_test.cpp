@@ -45,7 +45,7 @@ constexpr mat<T, 4, 4> matrix(test::random& r, bool hostile = false) {
 // The sums as the contract writes them.
 template <class T>
 constexpr mat<T, 4, 4> plain_product(const mat<T, 4, 4>& a, const mat<T, 4, 4>& b) {
-  return irg::detail::filled_mat<T, 4, 4>([&](int r, int c) {
+  return irg::generate_mat<T, 4, 4>([&](int r, int c) {
     T sum = irg::product(a(r, 0), b(0, c));
     for (int k = 1; k < 4; ++k) sum = sum + irg::product(a(r, k), b(k, c));
     return sum;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
@@ -65,8 +66,7 @@ mat<T, N, N> random_integers(test::random& r, std::int64_t size) {
 
 template <class T, int N>
 mat<rational, N, N> exact(const mat<T, N, N>& a) {
-  return irg::detail::filled_mat<rational, N, N>(
-      [&](int i, int j) { return rational::of(static_cast<double>(a(i, j))); });
+  return irg::generate_mat<rational, N, N>([&](int i, int j) { return rational::of(static_cast<double>(a(i, j))); });
 }
 
 }  // namespace
@@ -217,4 +217,13 @@ TEST_CASE("mat: a product rounds as its formula says") {
 
 TEST_CASE("determinant: of short integers") {
   CHECK_BOTH(irg::determinant(irg::mat<short, 3, 3>{{{2, 0, 1}, {0, 3, 0}, {1, 0, 4}}}) == 21);
+}
+
+TEST_CASE("generate_mat: entries by row and column, of any number type, called once each in order") {
+  constexpr auto digits = [](int r, int c) { return 10 * r + c; };
+  CHECK_BOTH(irg::generate_mat<int, 2, 3>(digits) == mat<int, 2, 3>{{0, 1, 2}, {10, 11, 12}});
+  CHECK_BOTH(irg::generate_mat<rational, 1, 1>([](int, int) { return rational(3); })(0, 0) == rational(3));
+  std::vector<int> order;
+  static_cast<void>(irg::generate_mat<double, 2, 2>([&](int r, int c) { return order.push_back(2 * r + c), 0.0; }));
+  CHECK(order == std::vector{0, 1, 2, 3});
 }

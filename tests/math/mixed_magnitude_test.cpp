@@ -600,11 +600,11 @@ void sweep_exact_systems(const std::string& type) {
   test::real determinant, numerator, quotient;
   for (mpfr_ptr x : {mpfr_ptr(determinant), mpfr_ptr(numerator), mpfr_ptr(quotient)}) mpfr_set_prec(x, bits);
   sweep("determinant_exact, inverse_exact, solve_exact, " + type, 0, [&](test::random& r, sizes which) {
-    auto a = irg::detail::filled_mat<T, N, N>([&](int, int) { return number<T>(r, which); });
+    auto a = irg::generate_mat<T, N, N>([&](int, int) { return number<T>(r, which); });
     if (r.integer(0, 3) == 0)  // a row that is nearly, or exactly, another one times a number
       for (int c = 0; c < N; ++c) a(N - 1, c) = a(0, c) * T(0.75);
     const auto b = vector<T, N>(r, which);
-    const auto with_b = irg::detail::filled_mat<T, N, N + 1>([&](int i, int j) { return j == N ? b[i] : a(i, j); });
+    const auto with_b = irg::generate_mat<T, N, N + 1>([&](int i, int j) { return j == N ? b[i] : a(i, j); });
     set_determinant<N>(determinant, [&](int i, int j) { return a(i, j); });
     const auto undo = inverse_exact(a);
     const auto x = irg::solve_exact(with_b);

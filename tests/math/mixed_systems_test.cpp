@@ -79,7 +79,7 @@ struct mixed_system {
     }
   }
   mat<big_rational, N, N> exact() const {
-    return irg::detail::filled_mat<big_rational, N, N>([&](int i, int j) {
+    return irg::generate_mat<big_rational, N, N>([&](int i, int j) {
       return big_rational(static_cast<double>(a(i, j))).times_power_of_two(-row[i] - column[j]);
     });
   }
@@ -88,7 +88,7 @@ struct mixed_system {
 
 template <int N>
 double norm_of(const mat<big_rational, N, N>& a) {
-  return irg::norm_1(irg::detail::filled_mat<double, N, N>([&](int i, int j) { return a(i, j).rounded(); }));
+  return irg::norm_1(irg::generate_mat<double, N, N>([&](int i, int j) { return a(i, j).rounded(); }));
 }
 
 // What the runs found. Errors of solve_gauss are in units of u times the condition times the largest component, u of
@@ -195,7 +195,7 @@ TEST_CASE_TEMPLATE("mixed systems: singular ones are told apart", T, double, flo
         for (int x = 0; x <= N; ++x) a(k, x) = std::ldexp(a(k, x), row);
         for (int y = 0; y < N; ++y) a(y, k) = std::ldexp(a(y, k), column);
       }
-      const auto left = irg::detail::filled_mat<T, N, N>([&](int y, int x) { return a(y, x); });
+      const auto left = irg::generate_mat<T, N, N>([&](int y, int x) { return a(y, x); });
       const auto right = irg::generate_coordinates<vec<T, N>>([&](int y) { return a(y, N); });
       const auto exact = irg::solve_exact(a), got = solve_gauss(a);
       wrong +=
@@ -303,7 +303,7 @@ TEST_CASE("mixed systems: integers times 0.1 with zeros anywhere, against ranks 
       const solvability kind = rank == N                         ? solvability::unique
                                : rank_of<N>(whole, N + 1) > rank ? solvability::inconsistent
                                                                  : solvability::dependent;
-      auto a = irg::detail::filled_mat<double, N, N + 1>([&](int y, int x) {
+      auto a = irg::generate_mat<double, N, N + 1>([&](int y, int x) {
         const auto entry = static_cast<double>(whole(y, x));
         return i % 3 == 0 ? entry * 0.1 : i % 3 == 1 ? entry / 10 : entry / 7;
       });
@@ -315,7 +315,7 @@ TEST_CASE("mixed systems: integers times 0.1 with zeros anywhere, against ranks 
       }
       const auto got = solve_gauss(a);
       wrong += got.kind != kind || got.rank != rank ? 1 : 0;
-      const auto square = irg::detail::filled_mat<double, N, N>([&](int y, int x) { return a(y, x); });
+      const auto square = irg::generate_mat<double, N, N>([&](int y, int x) { return a(y, x); });
       const auto right = irg::generate_coordinates<vec<double, N>>([&](int y) { return a(y, N); });
       if (rank < N) wrong += lu_solve_refined(square, right) || inverse_accurate(square) ? 1 : 0;
       if (N >= 5 && i % 8 < 2) {  // the same at run-time sizes

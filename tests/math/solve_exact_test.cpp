@@ -97,7 +97,7 @@ TEST_CASE("solve_exact: against rationals") {
     }
     const auto got = solve_exact(a);
     const auto truth =
-        solve_gauss(irg::detail::filled_mat<big_rational, 3, 4>([&](int y, int x) { return big_rational(a(y, x)); }));
+        solve_gauss(irg::generate_mat<big_rational, 3, 4>([&](int y, int x) { return big_rational(a(y, x)); }));
     ++of_kind[static_cast<int>(got.kind)];
     if (got.kind == solvability::not_finite) {
       bool is_large = false;

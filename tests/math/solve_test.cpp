@@ -106,7 +106,7 @@ TEST_CASE("solve_gauss: rationals, any size") {
       CHECK(sum == a(y, 4));
     }
     const auto f =
-        solve_gauss(irg::detail::filled_mat<double, 4, 5>([&](int y, int x) { return static_cast<double>(a(y, x)); }));
+        solve_gauss(irg::generate_mat<double, 4, 5>([&](int y, int x) { return static_cast<double>(a(y, x)); }));
     CHECK((f.kind == s.kind && f.rank == s.rank));
   }
   CHECK(singular > 20);

@@ -179,7 +179,7 @@ TEST_CASE("worst inputs: inverses") {
         {0x1.f82db90c80db4p-1, 0x0p+0, -0x1.649ad120a197p-3, 0x1.74506803048a6p+19}}}};
   for (const mat4& a : all) {
     const auto truth =
-        inverse(irg::detail::filled_mat<big_rational, 4, 4>([&](int r, int c) { return big_rational(a(r, c)); }));
+        inverse(irg::generate_mat<big_rational, 4, 4>([&](int r, int c) { return big_rational(a(r, c)); }));
     const auto accurate = inverse_accurate(a), exact = inverse_exact(a);
     REQUIRE((truth && accurate && exact));
     big_rational largest = 0;

@@ -122,3 +122,20 @@ TEST_CASE("validate: whatever stands in a mesh, the check itself stays in bounds
   }
   CHECK(sound > 100);
 }
+
+TEST_CASE("validate_faces: what validate says of faces, and nothing of numbers or parts") {
+  CHECK_BOTH(irg::validate_faces(sample<double>()) == mesh_finding{});
+  constexpr auto faces_after = [](const auto& change) {
+    irg::mesh<double> m = sample<double>();
+    change(m);
+    return irg::validate_faces(m);
+  };
+  constexpr auto far_position = [](auto& m) { m.corners[4].position = 4; };
+  constexpr auto odd_number = [](auto& m) { m.positions[0].x = not_a_number; };
+  constexpr auto part_short = [](auto& m) { m.parts.push_back({"", "", "", 0, 1}); };
+  CHECK_BOTH(faces_after(far_position) == mesh_finding{mesh_defect::position_out_of_range, 1, 1});
+  CHECK_BOTH(faces_after(far_position) == after(far_position));
+  CHECK_BOTH(faces_after(odd_number) == mesh_finding{});
+  CHECK_BOTH(after(odd_number).defect == mesh_defect::position_not_finite);
+  CHECK_BOTH(faces_after(part_short) == mesh_finding{});
+}

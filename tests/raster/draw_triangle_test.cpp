@@ -44,7 +44,7 @@ irg::draw_counts draw_plain(canvas& c, const screen_vertex (&v)[3], const Shader
   const auto w = irg::window_of(c.colour);
   if (t.coverage.double_area == 0 || irg::intersect(t.coverage.bounds, w).empty()) return {};
   return irg::detail::triangle_rows<Order, irg::depth_policy<>, float, std::int64_t>(
-      c.colour, c.depth, t, irg::detail::shade_over<Shader>{shader}, w);
+      c.colour, c.depth, t, irg::shade_over<Shader>{shader}, w);
 }
 
 screen_vertex random_vertex(test::random& r, int pixels) {
@@ -413,6 +413,22 @@ TEST_CASE("draw_triangle: depth formats by hand") {
   CHECK_BOTH(word_left<irg::depth_inverse_w>(0.5f, 5.0f) == 5.0f);
   CHECK_BOTH(word_left<irg::depth_float_reversed>(7.0f, 0.5f) == 1.0f);
   CHECK_BOTH(word_left<irg::depth_float>(-7.0f, 0.5f) == 0.0f);
+}
+
+TEST_CASE("paint_triangle: the painter is given every visible pixel once, and the weights that the shader sees") {
+  const screen_vertex v[3] = {{{100, 200}, 0.25f}, {{8000, 900}, 0.5f}, {{2000, 7000}, 0.75f}};
+  canvas by_shader(40, 32), by_painter(40, 32);
+  const irg::solid_shader<irg::rgba8> white{{255, 255, 255, 255}};
+  const irg::draw_counts due = draw(by_shader, v, white);
+  int painted = 0;
+  const auto paint = [&](irg::rgba8* row, unsigned bits, const auto&) {
+    for (; bits != 0; bits &= bits - 1) row[std::countr_zero(bits)] = white.pixel, ++painted;
+  };
+  const auto counts = irg::paint_triangle<irg::nearer_is_greater, irg::depth_policy<>>(
+      by_painter.colour, by_painter.depth, irg::cover_and_set_up(v[0], v[1], v[2]), paint, {0, 0, 40, 32});
+  CHECK(counts.shaded == due.shaded);
+  CHECK(painted == static_cast<int>(due.shaded));
+  CHECK(by_painter == by_shader);
 }
 
 }  // namespace

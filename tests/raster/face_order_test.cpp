@@ -320,4 +320,22 @@ TEST_CASE("picture_face_at: the picture that draw_triangle draws, but for close 
   against_drawing<drawing_order>(408, test::trials(100));
 }
 
+TEST_CASE("depth_sense, wins_tie: the order's direction, and who is seen where two faces are equally near") {
+  static_assert(irg::depth_sense<greater> == 1 && irg::depth_sense<less> == -1 && irg::depth_sense<drawing_order> == 0);
+  CHECK_BOTH(irg::wins_tie(level(0.5f, 3), level(0.5f, 4)));
+  CHECK_BOTH(!irg::wins_tie<less>(level(0.5f, 4), level(0.5f, 3)));
+  CHECK_BOTH(irg::wins_tie<drawing_order>(level(0.5f, 4), level(0.5f, 3)));
+  CHECK_BOTH(!irg::wins_tie(level(0.5f, 3), level(0.5f, 3)));
+  CHECK_BOTH(irg::is_nearer(level(0.5f, 3), level(0.5f, 4), 3, 3));
+}
+
+TEST_CASE("depth_as_integer: the depth by a power of two, across words") {
+  CHECK_BOTH(irg::depth_as_integer<1>(-0x1.8p-100f, 26) == irg::wide_int<1>(-(3 << 22)));
+  CHECK_BOTH(irg::depth_as_integer<1>(0x1p-149f, 0) == irg::wide_int<1>(1));
+  CHECK_BOTH(irg::depth_as_integer<2>(-0.0f, 99) == irg::wide_int<2>(0));
+  // 1 is 2^23 at place 126: beyond the first word from place 62 on.
+  CHECK_BOTH(irg::depth_as_integer<2>(1.0f, 85) == irg::wide_int<2>(irg::int128{1} << 64));
+  CHECK_BOTH(irg::depth_as_integer<2>(-1.5f, 85) == -irg::wide_int<2>(irg::int128{3} << 63));
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <vector>
+#include <irg/core/lanes.hpp>
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
@@ -267,6 +268,28 @@ TEST_CASE("covered_spans: a level lower edge through centres, with the triangle 
       for (int x = low; x < high; ++x) covered += irg::covers(t, x, y);
       REQUIRE(covered == s.x_last - s.x_first);
     }
+  }
+}
+
+TEST_CASE("first_centre, last_centre, centres_within: centres at v count, those beside it do not") {
+  CHECK_BOTH(irg::first_centre(128) == 0);
+  CHECK_BOTH(irg::first_centre(129) == 1);
+  CHECK_BOTH(irg::first_centre(-128) == -1);
+  CHECK_BOTH(irg::last_centre(128) == 1);
+  CHECK_BOTH(irg::last_centre(127) == 0);
+  CHECK_BOTH(irg::last_centre(-129) == -1);
+  CHECK_BOTH(irg::centres_within({0, 0}, {256, 128}, {100, 700}) == irg::cell_window{0, 0, 1, 3});
+  CHECK_BOTH(irg::centres_within({130, 0}, {140, 900}, {150, 0}).empty());
+  using integers = irg::pack<std::int32_t, 4>;
+  const integers at = irg::lanes<integers>::broadcast(-300);
+  CHECK(irg::first_centre(at)[2] == irg::first_centre(-300));
+  CHECK(irg::last_centre(at)[3] == irg::last_centre(-300));
+  for (int v = -2000; v <= 2000; ++v) {
+    int first = -100, last = 100;
+    while (first * 256 + 128 < v) ++first;
+    while ((last - 1) * 256 + 128 > v) --last;
+    REQUIRE(irg::first_centre(v) == first);
+    REQUIRE(irg::last_centre(v) == last);
   }
 }
 

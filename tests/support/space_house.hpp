@@ -68,7 +68,7 @@ private:
       ring.push_back(sheared(v[0], v[1], v[2]));
     }
     const std::uint32_t here = number(cell[0], cell[1], cell[2]);
-    if (!irg::detail::are_beside<double>(ring, plan.cells[before], 1)) std::reverse(ring.begin(), ring.end());
+    if (!irg::are_on_side<double>(ring, plan.cells[before], 1)) std::reverse(ring.begin(), ring.end());
     plan.portals.push_back({before, here, ring});
   }
 };

@@ -305,3 +305,15 @@ TEST_CASE("projections: what is refused, and extreme ranges") {
   CHECK(box(-beyond, 1, -1, 1, -1, 1) == bad_window);
   CHECK(box(-1, beyond, -1, 1, -1, 1) == bad_window);
 }
+
+TEST_CASE("checked_projection: the matrix, or the identity where an entry overflowed") {
+  CHECK_BOTH(irg::checked_projection(identity<double, 4>()).is_ordinary());
+  constexpr auto with = [](double entry) {
+    auto m = identity<double, 4>();
+    m(2, 3) = entry;
+    return irg::checked_projection(m);
+  };
+  CHECK_BOTH(with(-1e300).value(2, 3) == -1e300);
+  CHECK_BOTH(with(inf).status == projection_status::not_representable);
+  CHECK_BOTH(with(not_a_number).value == identity<double, 4>());
+}

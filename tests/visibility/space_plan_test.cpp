@@ -80,4 +80,17 @@ TEST_CASE("space_plan: houses have none") {
     CHECK(irg::validate(test::space_house(r, 3, 2, 1 + i % 3).plan) == irg::space_plan_finding{});
 }
 
+TEST_CASE("are_on_side: before, behind and in the plane of a ring") {
+  constexpr std::array<place, 3> ring{place{0, 0, 0}, place{1, 0, 0}, place{0, 1, 0}};
+  constexpr std::array<place, 2> above{place{5, 5, 1}, place{5, 5, 0}}, through{place{0, 0, 1}, place{0, 0, -1}};
+  CHECK_BOTH(irg::are_on_side<double>(ring, above, irg::orient3d(ring[0], ring[1], ring[2], above[0])));
+  CHECK_BOTH(!irg::are_on_side<double>(ring, above, -irg::orient3d(ring[0], ring[1], ring[2], above[0])));
+  CHECK_BOTH(!irg::are_on_side<double>(ring, through, 1));
+  CHECK_BOTH(!irg::are_on_side<double>(ring, through, -1));
+  CHECK_BOTH(irg::are_on_side<double>(ring, ring, 1));
+  CHECK_BOTH(irg::are_on_side<double>(ring, ring, -1));
+  // For the side from which the ring is seen counter-clockwise, that is 1.
+  CHECK_BOTH(irg::are_on_side<double>(ring, above, 1));
+}
+
 }  // namespace

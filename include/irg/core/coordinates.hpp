@@ -142,10 +142,9 @@ concept Coordinates = requires(const T& v) {
   requires detail::made_from_coordinates<T, coordinate_traits<T>, typename coordinate_traits<T>::scalar>;
 };
 
-namespace detail {
+/// A type whose coordinates are declared to mean that, and nothing else. Models of `point`: point, not glm::vec3.
 template <class T, coordinate_kind Kind>
-concept means = Coordinates<T> && coordinate_traits<T>::kind == Kind;
-}  // namespace detail
+concept CoordinatesOfKind = Coordinates<T> && coordinate_traits<T>::kind == Kind;
 
 /// A displacement. Models: vec, glm::vec3, Eigen::Vector3f, std::array<double, 3>, a struct with x, y and z.
 template <class T>
@@ -180,13 +179,13 @@ inline constexpr int size_of = coordinate_traits<T>::size;
 #else
 #define IRG_REFUSED(name, parameters, reason) int name(const parameters&...) noexcept = delete
 #endif
-#define IRG_REFUSES_POINTS(name)                                                     \
-  template <class... PointWhereVectorIsWanted>                                       \
-    requires(... || detail::means<PointWhereVectorIsWanted, coordinate_kind::point>) \
+#define IRG_REFUSES_POINTS(name)                                                         \
+  template <class... PointWhereVectorIsWanted>                                           \
+    requires(... || CoordinatesOfKind<PointWhereVectorIsWanted, coordinate_kind::point>) \
   IRG_REFUSED(name, PointWhereVectorIsWanted, "a point stands where a vector is wanted")
-#define IRG_REFUSES_VECTORS(name)                                                     \
-  template <class... VectorWherePointIsWanted>                                        \
-    requires(... || detail::means<VectorWherePointIsWanted, coordinate_kind::vector>) \
+#define IRG_REFUSES_VECTORS(name)                                                         \
+  template <class... VectorWherePointIsWanted>                                            \
+    requires(... || CoordinatesOfKind<VectorWherePointIsWanted, coordinate_kind::vector>) \
   IRG_REFUSED(name, VectorWherePointIsWanted, "a vector stands where a point is wanted")
 
 inline namespace IRG_ABI {

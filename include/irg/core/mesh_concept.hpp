@@ -29,6 +29,11 @@ concept Mesh = requires(const T& m, std::size_t i) {
 template <Mesh T>
 using mesh_point = typename mesh_traits<T>::point;
 
+/// A mesh whose positions are points of space, of floats or doubles.
+template <class T>
+concept SpaceMesh =
+    Mesh<T> && size_of<typename mesh_traits<T>::point> == 3 && Floating<scalar_of<typename mesh_traits<T>::point>>;
+
 inline namespace IRG_ABI {
 
 /// The number of positions of a mesh.

@@ -77,7 +77,7 @@ template <Vector V>
 [[nodiscard]] constexpr std::optional<scalar_of<V>> torsion(const V& first, const V& second,
                                                             const std::type_identity_t<V>& third) noexcept {
   using T = scalar_of<V>;
-  const auto a = detail::scaled(first), b = detail::scaled(second), c = detail::scaled(third);
+  const auto a = scaled_near_one(first), b = scaled_near_one(second), c = scaled_near_one(third);
   if (!(a.scale > 0 && b.scale > 0 && c.scale >= 0)) return std::nullopt;
   const auto moderate = [](const auto& s) {
     return generate_coordinates<V>([&](int i) { return converted<T>(s.c[i]); });

@@ -11,6 +11,7 @@
 #include <irg/geometry/detail/twice_area.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/vec.hpp>
 
@@ -111,7 +112,7 @@ constexpr auto scale_of_sides(const P& a, const P& b, const P& c) noexcept {
     double largest = 0;
     for (const vec<double, 3>& side : {scaled_way(a, b, 1.0), scaled_way(a, c, 1.0)})
       for (int i = 0; i < 3; ++i) largest = greater(largest, magnitude(side[i]));
-    return power_of_two_for(largest);
+    return normalizing_power_of_two(largest);
   } else {
     return scalar_of<P>(1);
   }

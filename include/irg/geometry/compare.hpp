@@ -20,6 +20,14 @@ template <Point P>
   return 0;
 }
 
+/// Whether p, a point of the line through a and b, lies on the segment between them, its ends included.
+/// needs   no NaN
+/// exact   comparisons alone
+template <Point P>
+[[nodiscard]] constexpr bool is_between_ends(const P& a, const P& b, const P& p) noexcept {
+  return compare_lexicographic(a, p) * compare_lexicographic(p, b) >= 0;
+}
+
 /// -1 when p comes before q for one who goes from a to b, 1 when it comes after q, 0 when they are level: the points
 /// count where they fall on the line through a and b, which they need not lie on.
 /// needs   finite coordinates
@@ -47,6 +55,7 @@ template <Point P>
 
 IRG_REFUSES_VECTORS(compare_distance);
 IRG_REFUSES_VECTORS(compare_lexicographic);
+IRG_REFUSES_VECTORS(is_between_ends);
 IRG_REFUSES_VECTORS(order_along_line);
 
 }  // namespace IRG_ABI

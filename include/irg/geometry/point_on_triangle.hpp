@@ -6,24 +6,24 @@
 #include <irg/math/vec.hpp>
 
 namespace irg {
-namespace detail {
 inline namespace IRG_ABI {
 
-// A point of space without coordinate `axis`.
-template <class P>
-IRG_INLINE constexpr point<scalar_of<P>, 2> seen_along(const P& p, int axis) noexcept {
+/// A point of space as it is seen along an axis: without coordinate `axis`.
+/// needs   axis 0, 1 or 2
+template <Point P>
+  requires(size_of<P> == 3)
+[[nodiscard]] IRG_INLINE constexpr point<scalar_of<P>, 2> seen_along(int axis, const P& p) noexcept {
   return {coordinate(p, axis == 0 ? 1 : 0), coordinate(p, axis == 2 ? 1 : 2)};
 }
 
-template <class P>
-constexpr int orientation_along(const P& a, const P& b, const P& c, int axis) noexcept {
-  return orient2d(seen_along(a, axis), seen_along(b, axis), seen_along(c, axis));
+/// orient2d of three points of space as they are seen along an axis.
+/// needs   finite coordinates; axis 0, 1 or 2
+/// exact   as orient2d
+template <Point P>
+  requires(size_of<P> == 3)
+[[nodiscard]] constexpr int orientation_along(int axis, const P& a, const P& b, const P& c) noexcept {
+  return orient2d(seen_along(axis, a), seen_along(axis, b), seen_along(axis, c));
 }
-
-}  // namespace IRG_ABI
-}  // namespace detail
-
-inline namespace IRG_ABI {
 
 /// Whether three points of space lie on one line.
 /// needs   finite coordinates
@@ -33,7 +33,7 @@ template <Point P>
   requires(size_of<P> == 3)
 [[nodiscard]] constexpr bool are_collinear(const P& a, const P& b, const P& c) noexcept {
   for (int axis = 0; axis < 3; ++axis)
-    if (detail::orientation_along(a, b, c, axis) != 0) return false;
+    if (orientation_along(axis, a, b, c) != 0) return false;
   return true;
 }
 
@@ -59,10 +59,9 @@ template <Point P>
   requires(size_of<P> == 3)
 [[nodiscard]] constexpr bool is_on_triangle(const P& a, const P& b, const P& c, const P& p) noexcept {
   for (int axis = 0; axis < 3; ++axis)
-    if (const int turn = detail::orientation_along(a, b, c, axis); turn != 0)
-      return detail::orientation_along(a, b, p, axis) * turn >= 0 &&
-             detail::orientation_along(b, c, p, axis) * turn >= 0 &&
-             detail::orientation_along(c, a, p, axis) * turn >= 0;
+    if (const int turn = orientation_along(axis, a, b, c); turn != 0)
+      return orientation_along(axis, a, b, p) * turn >= 0 && orientation_along(axis, b, c, p) * turn >= 0 &&
+             orientation_along(axis, c, a, p) * turn >= 0;
   return is_on_segment(a, b, p) || is_on_segment(b, c, p) || is_on_segment(c, a, p);
 }
 

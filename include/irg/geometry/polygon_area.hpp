@@ -42,10 +42,10 @@ template <PlanePolygon P>
       return area;
     } else {
       twice.subtract(area, 2.0);
-      return detail::rounded_once<T>(area, twice.sign());
+      return rounded_once<T>(area, twice.sign());
     }
   } else if constexpr (std::integral<T>) {
-    return detail::rounded_wide(wide_int<4>(detail::shoelace(polygon)), -1);
+    return rounded_to_double(wide_int<4>(detail::shoelace(polygon)), -1);
   } else {
     return T(detail::shoelace(polygon) / T(2));
   }

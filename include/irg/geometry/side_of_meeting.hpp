@@ -23,7 +23,6 @@ inline namespace IRG_ABI {
 /// The plane's points as polynomials of sign_of take them.
 template <class N, class T, class F>
 [[nodiscard]] IRG_INLINE constexpr auto in_numbers(const plane_points<T>& p, const F& number) noexcept {
-  using detail::in_numbers;
   using input = std::remove_cvref_t<decltype(number(p.a.x))>;
   return plane_points<input>{in_numbers<N>(p.a, number), in_numbers<N>(p.b, number), in_numbers<N>(p.c, number)};
 }

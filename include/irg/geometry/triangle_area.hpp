@@ -8,6 +8,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/math/compensated.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/sqrt.hpp>
 
@@ -72,7 +73,7 @@ IRG_NOINLINE constexpr exact_accumulator<3> exact_area(double ax, double ay, dou
 // needs   finite numbers
 // source  Shewchuk 1997 (the second stage of his filter)
 constexpr double signed_area_of_doubles(double ax, double ay, double bx, double by, double cx, double cy) noexcept {
-  const auto fits = [](double v) { return is_compensable(v); };
+  const auto fits = [](double v) { return is_zero_or_within<-480, 481>(v); };  // products are exact as two doubles
   if (fits(ax) && fits(ay) && fits(bx) && fits(by) && fits(cx) && fits(cy)) {
     const auto [p, p_rest] = two_sum(bx, -ax);
     const auto [q, q_rest] = two_sum(by, -ay);
@@ -104,7 +105,7 @@ namespace irg::inline IRG_ABI {
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
 [[nodiscard]] constexpr scalar_of<P> signed_triangle_area(const P& a, const P& b, const P& c) noexcept {
-  return detail::narrow<scalar_of<P>>(detail::signed_area_in_plane(a, b, c, 0, 1));
+  return narrowed<scalar_of<P>>(detail::signed_area_in_plane(a, b, c, 0, 1));
 }
 
 template <Point P>
@@ -112,10 +113,10 @@ template <Point P>
 [[nodiscard]] constexpr scalar_of<P> triangle_area(const P& a, const P& b, const P& c) noexcept {
   const double z = detail::signed_area_in_plane(a, b, c, 0, 1);
   if constexpr (size_of<P> == 2) {
-    return detail::narrow<scalar_of<P>>(magnitude(z));
+    return narrowed<scalar_of<P>>(magnitude(z));
   } else {
     const double x = detail::signed_area_in_plane(a, b, c, 1, 2), y = detail::signed_area_in_plane(a, b, c, 2, 0);
-    return detail::narrow<scalar_of<P>>(hypot(x, y, z));
+    return narrowed<scalar_of<P>>(hypot(x, y, z));
   }
 }
 
@@ -146,10 +147,7 @@ template <Floating T>
     place += parts.exponent;
   }
   if ((place & 1) != 0) factors *= 2;
-  const double root = sqrt(factors);
-  const scaled_number parts = decompose(root);
-  return detail::narrow<T>(
-      detail::scale({parts.significand, 0}, parts.exponent + (place - (place & 1)) / 2 - (is_small ? 200 : 0)));
+  return narrowed<T>(times_power_of_two(sqrt(factors), (place - (place & 1)) / 2 - (is_small ? 200 : 0)));
 }
 
 }  // namespace irg::inline IRG_ABI

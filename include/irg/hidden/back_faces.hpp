@@ -90,7 +90,7 @@ template <PlaneRing R>
 /// gives   edge_on for faces without area and for coordinates that are not finite
 /// exact   for every finite float and double, by Newell's normal, as side_of_polygon
 /// cost    as side_of_polygon
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr facing side_of_face(const M& m, std::size_t f,
                                             const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
   return static_cast<facing>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
@@ -99,7 +99,7 @@ template <detail::mesh_in_space M>
 /// The faces of a mesh that are left when back faces are removed, in their order.
 /// shape   as side_of_face
 /// cost    linear; allocates the result
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr std::vector<std::uint32_t> front_faces(const M& m,
                                                                const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
                                                                edge_on_faces edge_on = edge_on_faces::hidden) {

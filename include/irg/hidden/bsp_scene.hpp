@@ -146,7 +146,8 @@ constexpr plane_on_screen to_plane_on_screen(const double (&a)[3], const double 
     across[i] = moved(v);
   }
   // Their sizes are free, and products of three must stay within the range.
-  const auto ordinary_at = scaled(at), ordinary_along = scaled(along), ordinary_across = scaled(across);
+  const auto ordinary_at = scaled_near_one(at), ordinary_along = scaled_near_one(along),
+             ordinary_across = scaled_near_one(across);
   const auto &p = ordinary_at.c, &q = ordinary_along.c, &r = ordinary_across.c;
   // What is perpendicular to all three.
   double k[4];

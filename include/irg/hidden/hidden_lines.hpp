@@ -53,7 +53,7 @@ inline namespace IRG_ABI {
 ///         once. Allocates about 150 bytes a face, 30 an edge
 /// source  Roberts 1963; Appel 1967, for intervals along the edge
 template <DepthOrder Order = nearer_is_greater, class Faces, class Edges, class Emit>
-  requires(detail::depth_sense<Order> != 0)
+  requires(depth_sense<Order> != 0)
 constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges, Emit&& sink,
                                           face_search search = face_search::nearby);
 
@@ -503,9 +503,9 @@ private:
 inline namespace IRG_ABI {
 
 template <DepthOrder Order, class Faces, class Edges, class Emit>
-  requires(detail::depth_sense<Order> != 0)
+  requires(depth_sense<Order> != 0)
 constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges, Emit&& sink, face_search search) {
-  constexpr int sense = detail::depth_sense<Order>;
+  constexpr int sense = depth_sense<Order>;
   detail::hidden_part_finder<sense, Faces> finder(faces, edges, search);
   hidden_line_counts counts;
   counts.faces = finder.count();

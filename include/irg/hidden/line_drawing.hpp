@@ -15,6 +15,7 @@
 #include <irg/math/constants.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/mesh/crease_normals.hpp>
+#include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/projected_vertices.hpp>

@@ -32,7 +32,7 @@ struct painter_by_centroid_rounded {
       return static_cast<float>((widened(f.v[0].depth) + widened(f.v[1].depth)) + widened(f.v[2].depth));
     };
     std::sort(list.begin(), list.end(), [&](const screen_face& a, const screen_face& b) {
-      if (detail::depth_sense<Order> == 0) return a.number < b.number;
+      if (depth_sense<Order> == 0) return a.number < b.number;
       const float da = depth(a), db = depth(b);
       return da != db ? Order::nearer(db, da) : b.number < a.number;
     });

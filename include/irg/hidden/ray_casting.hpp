@@ -62,7 +62,7 @@ constexpr void leave_out_equal_faces(std::vector<Face>& list) {
     while (met[at] != no_face && !is_same(list[met[at]], list[i])) at = (at + 1) & (met.size() - 1);
     if (met[at] != no_face) {
       Face& first = list[met[at]];
-      if (comes_first<Order>(0, list[i], first)) first.number = list[i].number;
+      if (wins_tie<Order>(list[i], first)) first.number = list[i].number;
       continue;
     }
     met[at] = static_cast<std::uint32_t>(kept);

@@ -54,7 +54,7 @@ inline namespace IRG_ABI {
 ///         faces. Places closer than that may fall together, and rings become thinner than nothing by as much
 /// cost    about n log n cells for faces of like sizes, each allocated; grows with the visible crossings of sides
 template <DepthOrder Order = nearer_is_greater, class Faces>
-  requires(detail::depth_sense<Order> != 0)
+  requires(depth_sense<Order> != 0)
 [[nodiscard]] constexpr visible_polygon_map visible_polygons(const Faces& faces, const cell_window& window);
 
 /// The corner i of a ring, in pixels.
@@ -227,7 +227,7 @@ constexpr void link_outlines(const std::vector<Step>& steps, visible_polygon_map
 inline namespace IRG_ABI {
 
 template <DepthOrder Order, class Faces>
-  requires(detail::depth_sense<Order> != 0)
+  requires(depth_sense<Order> != 0)
 [[nodiscard]] constexpr visible_polygon_map visible_polygons(const Faces& faces, const cell_window& window) {
   visible_polygon_map map;
   if (window.empty()) return map;
@@ -236,7 +236,7 @@ template <DepthOrder Order, class Faces>
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const screen_face& f = faces[i];
     if (f.coverage.double_area == 0) continue;
-    hiding.push_back(detail::hiding_face_of<detail::depth_sense<Order>>(f));
+    hiding.push_back(detail::hiding_face_of<depth_sense<Order>>(f));
     numbers.push_back(f.number);
   }
   using cutter_type = detail::window_cutter<detail::hiding_face>;

@@ -17,6 +17,7 @@
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/detail/xml_reader.hpp>
 #include <irg/io/mesh_options.hpp>
+#include <irg/math/decimal_digit.hpp>
 #include <irg/scene/stored_body.hpp>
 
 namespace irg::inline IRG_ABI {
@@ -256,8 +257,8 @@ struct body_xml_reader {
     for (std::size_t i = 1; good && i < value.size(); ++i) {
       const char c = value[i], lower = static_cast<char>(c | 0x20);
       const bool letter = lower >= 'a' && lower <= 'f';
-      good = letter || is_digit(c);
-      const unsigned digit = letter ? static_cast<unsigned>(lower - 'a') + 10 : digit_value(c);
+      good = letter || is_decimal_digit(c);
+      const unsigned digit = letter ? static_cast<unsigned>(lower - 'a') + 10 : decimal_digit_value(c);
       std::uint8_t& byte = bytes[(i - 1) / 2];
       byte = static_cast<std::uint8_t>(i % 2 == 1 ? digit << 4 : byte | digit);
     }

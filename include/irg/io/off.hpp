@@ -19,6 +19,7 @@
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/detail/vertex_layout.hpp>
 #include <irg/io/mesh_options.hpp>
+#include <irg/math/decimal_digit.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg::inline IRG_ABI {
@@ -99,7 +100,7 @@ struct off_reader {
     if (header.four || header.any_dimension) return cursor.fail(start, "points are not of three dimensions");
     cursor.at += header.length;
     // Some writers leave out the white space between OFF and the first count.
-    if (!cursor.at_word_end() && !is_digit(*cursor.at))
+    if (!cursor.at_word_end() && !is_decimal_digit(*cursor.at))
       return cursor.fail(start, "file does not begin with the word OFF");
     const char* const behind = cursor.at;
     if (cursor.word_in_line() == "BINARY") {

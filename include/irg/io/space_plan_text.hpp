@@ -80,7 +80,7 @@ struct space_plan_reader : plan_lines<> {
     for (std::size_t c = 0; c < plan.cells.size(); ++c)
       if (plan.faces[c].size() < 4) return cursor.fail(cells_[c], "the cell has fewer than four faces");
     for (auto& p : plan.portals)
-      if (p.ring.size() > 2 && !are_beside<T>(p.ring, plan.cells[p.first], 1))
+      if (p.ring.size() > 2 && !are_on_side<T>(p.ring, plan.cells[p.first], 1))
         std::reverse(p.ring.begin(), p.ring.end());
     const space_plan_finding f = validate(plan);
     if (f.defect == space_plan_defect::none) return true;

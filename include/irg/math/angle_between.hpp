@@ -143,8 +143,8 @@ constexpr void enlarge_subnormal(scaled_coordinates<N>& s) noexcept {
 /// angle_between of vectors with very large, very small or infinite coordinates or NaN among them.
 template <Vector A, Vector B>
 constexpr double angle_between_any(const A& a, const B& b) noexcept {
-  auto s = scaled(a);
-  auto t = scaled(b);
+  auto s = scaled_near_one(a);
+  auto t = scaled_near_one(b);
   if (s.scale != s.scale || t.scale != t.scale) return not_a_number<double>;
   if (s.scale == 0 || t.scale == 0) return 0;
   enlarge_subnormal(s);

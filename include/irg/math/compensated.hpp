@@ -68,7 +68,7 @@ IRG_REFUSES_POINTS(dot_exact);
 namespace irg::detail::inline IRG_ABI {
 
 template <Floating T, int K>
-constexpr T rounded_once(exact_accumulator<K> sum) noexcept {
+constexpr T round_exact_sum(exact_accumulator<K> sum) noexcept {
   const double nearest = sum.rounded();
   if constexpr (std::is_same_v<T, double>) return nearest;
   sum.subtract(nearest);
@@ -116,7 +116,7 @@ template <Floating T, class A, class B>
 constexpr T plain_dot(std::size_t n, const A& a, const B& b) noexcept {
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) sum = sum + product(a(i), b(i));
-  return narrow<T>(sum);
+  return narrowed<T>(sum);
 }
 
 template <Floating T, class A, class B>
@@ -124,9 +124,9 @@ IRG_INLINE constexpr T accurate_dot(std::size_t n, const A& a, const B& b) noexc
   const dot_range range = dot_range_of(n, a, b);
   if (range == dot_range::compensable) {
     const compensated_sum sum = bounded_dot(n, a, b);
-    return narrow<T>(sum.value + sum.error);
+    return narrowed<T>(sum.value + sum.error);
   }
-  return range == dot_range::none ? plain_dot<T>(n, a, b) : rounded_once<T>(exact_dot(n, a, b));
+  return range == dot_range::none ? plain_dot<T>(n, a, b) : round_exact_sum<T>(exact_dot(n, a, b));
 }
 
 template <Floating T, class A, class B>
@@ -134,7 +134,7 @@ IRG_INLINE constexpr T nearest_dot(std::size_t n, const A& a, const B& b) noexce
   const dot_range range = dot_range_of(n, a, b);
   T rounded{};
   if (range == dot_range::compensable && round_safely(bounded_dot(n, a, b), rounded)) return rounded;
-  return range == dot_range::none ? plain_dot<T>(n, a, b) : rounded_once<T>(exact_dot(n, a, b));
+  return range == dot_range::none ? plain_dot<T>(n, a, b) : round_exact_sum<T>(exact_dot(n, a, b));
 }
 
 template <class T>
@@ -166,7 +166,7 @@ constexpr T far_sum(std::size_t n, const A& a) noexcept {
     else
       plain += a(i);
   }
-  return finite ? rounded_once<T>(sum) : narrow<T>(plain);
+  return finite ? round_exact_sum<T>(sum) : narrowed<T>(plain);
 }
 
 /// Each component of the cross product correctly rounded, for all finite coordinates.
@@ -190,7 +190,7 @@ template <Floating T>
   const auto x = detail::doubles_of(numbers);
   if (!detail::can_be_summed(numbers.size(), x)) return detail::far_sum<T>(numbers.size(), x);
   const detail::compensated_sum sum = detail::bounded_sum(numbers.size(), x);
-  return detail::narrow<T>(sum.value + sum.error);
+  return narrowed<T>(sum.value + sum.error);
 }
 
 template <Floating T>

@@ -66,7 +66,7 @@ template <Scalar T, int N = 3>
   requires(N == 3 || N == 4)
 [[nodiscard]] constexpr mat<T, N, N> conversion(const coordinate_system& from, const coordinate_system& to) noexcept {
   IRG_EXPECTS(is_valid(from) && is_valid(to));
-  return detail::filled_mat<T, N, N>([&](int r, int c) {
+  return generate_mat<T, N, N>([&](int r, int c) {
     if (r == 3 || c == 3) return r == c ? T(1) : T(0);
     const axis_direction a = detail::axis_of(to, r), b = detail::axis_of(from, c);
     if (detail::axis_line(a) != detail::axis_line(b)) return T(0);

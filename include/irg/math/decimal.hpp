@@ -14,6 +14,7 @@
 
 #include <irg/core/lane_masks.hpp>
 #include <irg/core/scalar.hpp>
+#include <irg/math/decimal_digit.hpp>
 #include <irg/math/detail/decimal_nearest.hpp>
 
 namespace irg {
@@ -101,13 +102,13 @@ template <std::integral J>
   const char* p = first;
   const bool negative = std::is_signed_v<J> && p != last && *p == '-';
   if (negative || (p != last && *p == '+')) ++p;
-  if (p == last || !detail::is_digit(*p)) return {J{0}, first, decimal_status::none};
+  if (p == last || !is_decimal_digit(*p)) return {J{0}, first, decimal_status::none};
   constexpr std::uint64_t max = static_cast<std::uint64_t>((std::numeric_limits<J>::max)());
   const std::uint64_t limit = negative ? max + 1 : max;
   std::uint64_t value = 0;
   bool fits = true;
-  for (; p != last && detail::is_digit(*p); ++p) {
-    const unsigned digit = detail::digit_value(*p);
+  for (; p != last && is_decimal_digit(*p); ++p) {
+    const unsigned digit = decimal_digit_value(*p);
     fits = fits && value <= (limit - digit) / 10;
     if (fits) value = value * 10 + digit;
   }

@@ -19,7 +19,7 @@ template <Floating T, int N>
   requires(N <= 4)
 [[nodiscard]] constexpr T determinant_exact(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return determinant(a);
-  return detail::rounded_once<T>(detail::exact_determinant<N>([&](int r, int c) { return widened(a(r, c)); }));
+  return detail::round_exact_sum<T>(detail::exact_determinant<N>([&](int r, int c) { return widened(a(r, c)); }));
 }
 
 /// The sign of the determinant of `a`: 1, -1 where `a` turns left into right, 0 exactly where it is singular.

@@ -10,7 +10,9 @@
 
 #include <irg/core/config.hpp>
 #include <irg/math/error_free.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/int128.hpp>
+#include <irg/math/wide_int.hpp>
 
 namespace irg {
 
@@ -88,21 +90,7 @@ private:
 
 namespace detail {
 
-// x = +-significand * 2^(place - 1074).
-struct integer_double {
-  std::uint64_t significand;
-  int place;
-  bool negative;
-};
-
 inline namespace IRG_ABI {
-
-IRG_INLINE constexpr integer_double integer_parts(double x) noexcept {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const std::uint64_t fraction = bits & 0xfffffffffffffu, field = (bits >> 52) & 0x7ff;
-  return {field == 0 ? fraction : fraction | (std::uint64_t{1} << 52), field == 0 ? 0 : static_cast<int>(field) - 1,
-          bits >> 63 != 0};
-}
 
 // Makes the words first to last part of the range.
 constexpr void widen_range(std::uint64_t* word, word_range& range, int first, int last) noexcept {
@@ -148,7 +136,7 @@ constexpr void accumulate_product(std::uint64_t* word, word_range& range, const 
   std::uint64_t magnitude[8]{};
   int place = -1074 * k - lowest;
   for (int i = 0; i < k; ++i) {
-    const integer_double v = integer_parts(x[i]);
+    const integer_parts<double> v = integer_parts_of(x[i]);
     if (v.significand == 0) return;
     if (i == 0)
       magnitude[0] = v.significand;
@@ -233,7 +221,7 @@ template <int K>
 template <int L>
   requires(L < K)
 IRG_APART constexpr void exact_accumulator<K>::add(const exact_accumulator<L>& v, double x) noexcept {
-  const detail::integer_double factor = detail::integer_parts(x);
+  const integer_parts<double> factor = integer_parts_of(x);
   const int sign = v.sign();
   if (sign == 0 || factor.significand == 0) return;
   const int place = 64 * v.range_.first + exact_accumulator<L>::lowest - lowest - 1074 + factor.place;
@@ -269,7 +257,7 @@ template <int K>
 template <int K>
 [[nodiscard]] IRG_INLINE constexpr exact_sum<double> exact_accumulator<K>::rounded_parts(int shift) const noexcept {
   const double value = rounded(shift);
-  const detail::integer_double v = detail::integer_parts(value);
+  const integer_parts<double> v = integer_parts_of(value);
   if (!is_finite(value) || v.significand == 0) return {value, 0.0};
   // The value times 2^-shift is a multiple of the lowest bit; its significand may reach further, in zeros.
   const int place = v.place - 1074 - shift - lowest;
@@ -279,4 +267,15 @@ template <int K>
   return {value, rest.rounded(shift)};
 }
 
+inline namespace IRG_ABI {
+
+/// The double nearest to v * 2^shift, ties to even.
+/// gives   infinity of v's sign where it rounds beyond the largest double; 0 (not -0) for zero
+/// exact   correctly rounded, subnormals included
+template <int N>
+[[nodiscard]] constexpr double rounded_to_double(const wide_int<N>& v, int shift = 0) noexcept {
+  return detail::nearest_double(v.word, {0, N}, shift);
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg

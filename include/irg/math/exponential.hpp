@@ -323,7 +323,7 @@ namespace irg::inline IRG_ABI {
 
 template <Floating T>
 [[nodiscard]] constexpr T exp(T x) noexcept {
-  return detail::narrow<T>(detail::exp_of({widened(x), 0.0}));
+  return narrowed<T>(detail::exp_of({widened(x), 0.0}));
 }
 
 template <Floating T>
@@ -350,14 +350,14 @@ template <Floating T>
 [[nodiscard]] constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
   if constexpr (std::is_same_v<T, float>)
     if (const float power = detail::quick_pow_of(x, y); power == power) return power;
-  return detail::narrow<T>(detail::pow_of(widened(x), widened(y)));
+  return narrowed<T>(detail::pow_of(widened(x), widened(y)));
 }
 
 template <Floating T>
 [[nodiscard]] constexpr T cbrt(T x) noexcept {
   const double size = magnitude(widened(x));
   if (!(size > 0 && size < infinity<double>)) return x;
-  return detail::narrow<T>(with_sign(detail::cbrt_of(size), widened(x)));
+  return narrowed<T>(with_sign(detail::cbrt_of(size), widened(x)));
 }
 
 }  // namespace irg::inline IRG_ABI

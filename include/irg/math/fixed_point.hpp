@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include <irg/math/decimal_digit.hpp>
 #include <irg/math/wide_int.hpp>
 
 namespace irg {
@@ -78,12 +79,11 @@ template <int N>
   const std::string_view whole = text.substr(0, point);
   const std::string_view places = point < text.size() ? text.substr(point + 1) : std::string_view();
   if (whole.empty() && places.empty()) return std::nullopt;
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
 
   wide_int<N> units;
   // From the last place to the first: a tenth of the digit with what follows it.
   for (std::size_t i = places.size(); i-- > 0;) {
-    if (!is_digit(places[i])) return std::nullopt;
+    if (!is_decimal_digit(places[i])) return std::nullopt;
     uint128 rest = static_cast<unsigned>(places[i] - '0');
     for (int w = N - 2; w >= 0; --w) {
       const uint128 dividend = (rest << 64) | units.word[w];
@@ -93,7 +93,7 @@ template <int N>
   }
   std::uint64_t integer = 0;
   for (const char c : whole) {
-    if (!is_digit(c)) return std::nullopt;
+    if (!is_decimal_digit(c)) return std::nullopt;
     integer = 10 * integer + static_cast<std::uint64_t>(c - '0');
     if (integer >> 31 != 0) return std::nullopt;
   }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
@@ -78,6 +79,58 @@ template <int Low>
   return bits >> 31 != 0 ? -size : size;
 }
 
+/// x as a number of type T; infinity where it is too large, without an overflow that constant evaluation refuses.
+/// exact   correctly rounded
+template <Floating T>
+[[nodiscard]] IRG_INLINE constexpr T narrowed(double x) noexcept {
+  if constexpr (std::is_same_v<T, float>) {
+    constexpr double first_infinite = 0x1.ffffffp127;
+    if (magnitude(x) >= first_infinite) return x > 0 ? infinity<float> : -infinity<float>;
+  }
+  return converted<T>(x);
+}
+
+/// The T nearest to x + rest; infinity where that is too large.
+/// needs   a rest too small to change the double x; its sign alone counts
+/// exact   correctly rounded: once, also where x is a sum rounded and rest what that left
+template <Floating T>
+[[nodiscard]] constexpr T rounded_once(double x, double rest) noexcept {
+  if constexpr (std::is_same_v<T, double>) {
+    return x;
+  } else {
+    // An inexact double is made odd: the float nearest to it is then the one nearest to the sum.
+    const std::uint64_t bits = bits_of(x);
+    if (rest == 0 || x == 0 || (bits & 1) != 0) return narrowed<T>(x);
+    return narrowed<T>(from_bits((rest < 0) == (x < 0) ? bits + 1 : bits - 1));
+  }
+}
+
+/// x = +-significand * 2^(place + integer_parts<T>::least).
+template <Floating T>
+struct integer_parts {
+  using bits_type = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
+  static constexpr int least = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;  // -149 or -1074
+  bits_type significand;
+  int place;
+  bool negative;
+  constexpr bool operator==(const integer_parts&) const = default;
+};
+
+/// x as an integer times a power of two, told from its bits: no mode of the processor reaches it.
+/// needs   x finite
+/// shape   place 0 or more; significand 0 for zeros, at least 2^23 (double: 2^52) where place is not 0
+/// exact   always
+template <Floating T>
+[[nodiscard]] IRG_INLINE constexpr integer_parts<T> integer_parts_of(T x) noexcept {
+  using bits_type = typename integer_parts<T>::bits_type;
+  constexpr int places = std::numeric_limits<T>::digits - 1;
+  constexpr bits_type one = bits_type{1} << places, fields = 2 * std::numeric_limits<T>::max_exponent - 1;
+  const auto bits = std::bit_cast<bits_type>(x);
+  const bits_type fraction = bits & (one - 1), field = (bits >> places) & fields;
+  return {field == 0 ? fraction : fraction | one, field == 0 ? 0 : static_cast<int>(field) - 1,
+          bits >> (8 * sizeof(T) - 1) != 0};
+}
+
 /// 2^k.
 /// needs   -1074 <= k <= 1023
 [[nodiscard]] IRG_INLINE constexpr double power_of_two(int k) noexcept {
@@ -98,6 +151,13 @@ template <int Low>
 [[nodiscard]] IRG_INLINE constexpr int exponent_of(double x) noexcept {
   const int field = static_cast<int>((bits_of(x) >> 52) & 0x7ff);
   return field != 0 ? field - 1023 : decompose(x).exponent;
+}
+
+/// A power of two p with 1 <= x*p < 4, or 2^1023 for subnormal x.
+/// needs   0 < x < infinity
+[[nodiscard]] IRG_INLINE constexpr double normalizing_power_of_two(double x) noexcept {
+  const std::uint64_t exponent = bits_of(x) >> 52;
+  return from_bits((exponent < 2045 ? 2046 - exponent : std::uint64_t{1}) << 52);
 }
 
 /// x * 2^e for any e, rounded once.

@@ -5,6 +5,7 @@
 #include <concepts>
 
 #include <irg/core/conversion.hpp>
+#include <irg/core/lanes.hpp>
 #include <irg/math/detail/length_kernel.hpp>
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/sqrt.hpp>
@@ -36,6 +37,27 @@ template <class X, class Y, class Z>
   requires MixedArguments<X, Y, Z>
 [[nodiscard]] constexpr double hypot(X x, Y y, Z z) noexcept {
   return hypot(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+}
+
+/// The sum of the squares, of numbers or of registers of them.
+/// exact   each square and each sum rounded once, from left to right, never fused
+template <class F, std::same_as<F>... Others>
+[[nodiscard]] IRG_INLINE constexpr F sum_of_squares(const F& first, const Others&... others) noexcept {
+  F sum = product(first, first);
+  ((sum = sum + product(others, others)), ...);
+  return sum;
+}
+
+/// hypot of three whose squares and root are known, without care for the ends of the exponents: for loops over arrays
+/// and registers, which take their roots apart.
+/// shape   x, y, z: doubles, or registers of doubles
+/// needs   square = sum_of_squares(x, y, z), from 2^-800 to 2^1000; root, its square root; no number negative
+/// exact   the bits of hypot
+template <class F>
+[[nodiscard]] IRG_INLINE constexpr F hypot_from_root(const F& square, const F& root, const F& x, const F& y,
+                                                     const F& z) noexcept {
+  const F rest = detail::rest_of_squares_one_by_one(root, detail::grid_below_root(square), x, y, z);
+  return root + product(rest, lanes<F>::broadcast(0.5) / root);
 }
 
 }  // namespace irg::inline IRG_ABI

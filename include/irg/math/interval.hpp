@@ -224,7 +224,7 @@ constexpr T product_down(T a, T b) noexcept {
   if (!is_finite(a) || !is_finite(b)) return is_positive ? infinity<T> : -infinity<T>;
   if constexpr (std::is_same_v<T, float>) {
     const double exact = widened(a) * widened(b);
-    const T value = narrow<T>(exact);
+    const T value = narrowed<T>(exact);
     return lowered(value, widened(value) > exact);
   } else {
     const auto [value, error] = two_product(a, b);
@@ -240,7 +240,7 @@ constexpr T quotient_down(T a, T b) noexcept {
   const bool is_positive = a > 0;
   if (!is_finite(a)) return is_positive ? infinity<T> : -infinity<T>;
   if constexpr (std::is_same_v<T, float>) {
-    const T value = narrow<T>(widened(a) / widened(b));
+    const T value = narrowed<T>(widened(a) / widened(b));
     const double back = widened(value) * widened(b);
     return lowered(value, back > widened(a));
   } else {

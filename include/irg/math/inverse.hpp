@@ -277,7 +277,7 @@ IRG_INLINE constexpr bool inverse_is_easy(const mat<T, N, N>& a, mat<T, N, N>& x
 template <int N>
 constexpr unsigned doubtful_entries(const scaled_system<N>& s, const mat<double, N, N>& x, double condition) noexcept {
   const auto sizes = [](const mat<double, N, N>& m) {
-    return filled_mat<double, N, N>([&](int r, int c) { return magnitude(m(r, c)); });
+    return generate_mat<double, N, N>([&](int r, int c) { return magnitude(m(r, c)); });
   };
   unsigned which = 0;
   double largest[static_cast<std::size_t>(N)]{};
@@ -353,7 +353,7 @@ template <Real T, int N>
 
 template <Floating T, int N>
 [[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
-  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
+  const auto wide = generate_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
   if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
   const auto s = detail::factor_scaled(wide, detail::scaling::by_largest);
   mat<T, N, N> result{};

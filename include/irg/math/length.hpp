@@ -16,6 +16,18 @@
 #include <irg/math/sqrt.hpp>
 #include <irg/math/vec.hpp>
 
+namespace irg {
+
+/// The coordinates of a vector times `scale`, a power of two that brings the largest near 1.
+/// shape   scale is 0 for a vector of zeros, NaN when a coordinate is NaN or infinite
+template <int N>
+struct scaled_coordinates {
+  double c[static_cast<std::size_t>(N)]{};
+  double scale = 0;
+};
+
+}  // namespace irg
+
 namespace irg::inline IRG_ABI {
 
 /// The square of the length: the sum of the squares of the coordinates.
@@ -80,38 +92,12 @@ template <Vector V>
   return generate_coordinates<V>([&](int i) { return product(coordinate(v, i), factor); });
 }
 
-IRG_REFUSES_POINTS(length);
-IRG_REFUSES_POINTS(length_fast);
-IRG_REFUSES_POINTS(length_squared);
-IRG_REFUSES_POINTS(normalized);
-IRG_REFUSES_POINTS(normalized_fast);
-IRG_REFUSES_POINTS(try_normalize);
-
-}  // namespace irg::inline IRG_ABI
-
-namespace irg::detail {
-
-// Scaled lengths and directions, for length and normalized.
-
-/// The coordinates of a vector times `scale`, a power of two that brings the largest near 1.
-/// shape   scale is 0 for a vector of zeros, NaN when a coordinate is NaN or infinite
-template <int N>
-struct scaled_coordinates {
-  double c[static_cast<std::size_t>(N)]{};
-  double scale = 0;
-};
-
-inline namespace IRG_ABI {
-
-/// A power of two p with 1 <= x*p < 4, or p = 2^1023 for subnormal x.
-/// needs   0 < x < infinity
-IRG_INLINE constexpr double power_of_two_for(double x) noexcept {
-  const std::uint64_t exponent = bits_of(x) >> 52;
-  return from_bits((exponent < 2045 ? 2046 - exponent : std::uint64_t{1}) << 52);
-}
-
+/// The coordinates of v times the power of two that brings the largest of them to 1 or more, below 4.
+/// gives   the coordinates as they are, and a scale that says so, where there is no such power
+/// exact   but for coordinates that become subnormal beside the largest
 template <Vector V>
-constexpr scaled_coordinates<size_of<V>> scaled(const V& v) noexcept {
+  requires Floating<scalar_of<V>>
+[[nodiscard]] constexpr scaled_coordinates<size_of<V>> scaled_near_one(const V& v) noexcept {
   scaled_coordinates<size_of<V>> s;
   std::uint64_t largest = 0;  // sizes are ordered as their bits are, with infinity and NaN at the end
   for (int i = 0; i < size_of<V>; ++i) {
@@ -121,10 +107,26 @@ constexpr scaled_coordinates<size_of<V>> scaled(const V& v) noexcept {
   }
   if (largest >= bits_of(infinity<double>)) s.scale = not_a_number<double>;
   if (largest >= bits_of(infinity<double>) || largest == 0) return s;
-  s.scale = power_of_two_for(from_bits(largest));
+  s.scale = normalizing_power_of_two(from_bits(largest));
   for (double& c : s.c) c = c * s.scale;
   return s;
 }
+
+IRG_REFUSES_POINTS(length);
+IRG_REFUSES_POINTS(length_fast);
+IRG_REFUSES_POINTS(length_squared);
+IRG_REFUSES_POINTS(normalized);
+IRG_REFUSES_POINTS(normalized_fast);
+IRG_REFUSES_POINTS(scaled_near_one);
+IRG_REFUSES_POINTS(try_normalize);
+
+}  // namespace irg::inline IRG_ABI
+
+namespace irg::detail {
+
+// Scaled lengths and directions, for length and normalized.
+
+inline namespace IRG_ABI {
 
 /// The length of the vector of N coordinates c(i).
 template <class T, int N, class C>
@@ -152,7 +154,7 @@ constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
 
 template <Vector V>
 IRG_NOINLINE constexpr bool put_direction_of_any_size(const V& v, V& unit) noexcept {
-  const auto s = scaled(v);
+  const auto s = scaled_near_one(v);
   if (!(s.scale > 0)) return false;
   const double length = scaled_length<double>(s);
   unit = generate_coordinates<V>([&](int i) { return s.c[i] / length; });

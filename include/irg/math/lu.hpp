@@ -183,7 +183,7 @@ constexpr bool refine(const scaled_system<N>& s, const vec<double, N>& b, vec<do
 template <Floating T>
 IRG_INLINE constexpr T scaled_back(double x, double tail, int e) noexcept {
   const double rounded = times_power_of_two(x, e);
-  if (std::same_as<T, float> || x == 0 || magnitude(rounded) >= 0x1p-1022) return narrow<T>(rounded);
+  if (std::same_as<T, float> || x == 0 || magnitude(rounded) >= 0x1p-1022) return narrowed<T>(rounded);
   return converted<T>(nearest_scaled<double>({x, tail}, e, [](double, double) { return 0; }));
 }
 
@@ -233,7 +233,7 @@ inline namespace IRG_ABI {
 /// source  Higham 2002, ch. 12; Demmel et al. 2006
 template <Floating T, int N>
 [[nodiscard]] constexpr std::optional<vec<T, N>> lu_solve_refined(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
-  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
+  const auto wide = generate_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
   const auto right = generate_coordinates<vec<double, N>>([&](int i) { return widened(b[i]); });
   if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
   for (int i = 0; i < N; ++i)

@@ -49,27 +49,21 @@ struct mat {
   bool operator==(const mat&) const = default;
 };
 
-namespace detail {
 inline namespace IRG_ABI {
 
-// The matrix whose entry in row r and column c is f(r, c).
-template <class T, int R, int C, class F>
-IRG_INLINE constexpr mat<T, R, C> filled_mat(const F& f) noexcept {
+/// The matrix whose entry in row r and column c is f(r, c); f is called once for each, row by row.
+template <Scalar T, int R, int C, class F>
+[[nodiscard]] IRG_INLINE constexpr mat<T, R, C> generate_mat(const F& f) noexcept {
   mat<T, R, C> entries{};
   for (int r = 0; r < R; ++r)
     for (int c = 0; c < C; ++c) entries(r, c) = f(r, c);
   return entries;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-
-inline namespace IRG_ABI {
-
 /// The matrix that leaves everything where it is.
 template <Scalar T, int N>
 [[nodiscard]] constexpr mat<T, N, N> identity() noexcept {
-  return detail::filled_mat<T, N, N>([](int r, int c) { return r == c ? T(1) : T(0); });
+  return generate_mat<T, N, N>([](int r, int c) { return r == c ? T(1) : T(0); });
 }
 
 /// Whether no entry is NaN or infinite.
@@ -81,24 +75,24 @@ template <class T, int R, int C>
 /// The matrix with rows and columns exchanged.
 template <class T, int R, int C>
 [[nodiscard]] constexpr mat<T, C, R> transpose(const mat<T, R, C>& a) noexcept {
-  return detail::filled_mat<T, C, R>([&](int r, int c) { return a(c, r); });
+  return generate_mat<T, C, R>([&](int r, int c) { return a(c, r); });
 }
 
 template <class T, int R, int C>
 [[nodiscard]] constexpr mat<T, R, C> operator+(const mat<T, R, C>& a, const mat<T, R, C>& b) noexcept {
-  return detail::filled_mat<T, R, C>([&](int r, int c) { return a(r, c) + b(r, c); });
+  return generate_mat<T, R, C>([&](int r, int c) { return a(r, c) + b(r, c); });
 }
 template <class T, int R, int C>
 [[nodiscard]] constexpr mat<T, R, C> operator-(const mat<T, R, C>& a, const mat<T, R, C>& b) noexcept {
-  return detail::filled_mat<T, R, C>([&](int r, int c) { return a(r, c) - b(r, c); });
+  return generate_mat<T, R, C>([&](int r, int c) { return a(r, c) - b(r, c); });
 }
 template <class T, int R, int C>
 [[nodiscard]] constexpr mat<T, R, C> operator-(const mat<T, R, C>& a) noexcept {
-  return detail::filled_mat<T, R, C>([&](int r, int c) { return -a(r, c); });
+  return generate_mat<T, R, C>([&](int r, int c) { return -a(r, c); });
 }
 template <class T, int R, int C>
 [[nodiscard]] constexpr mat<T, R, C> operator*(const mat<T, R, C>& a, std::type_identity_t<T> s) noexcept {
-  return detail::filled_mat<T, R, C>([&](int r, int c) { return product(a(r, c), s); });
+  return generate_mat<T, R, C>([&](int r, int c) { return product(a(r, c), s); });
 }
 template <class T, int R, int C>
 [[nodiscard]] constexpr mat<T, R, C> operator*(std::type_identity_t<T> s, const mat<T, R, C>& a) noexcept {
@@ -178,8 +172,7 @@ template <class T, int M, Vector V>
 template <class T, int N>
   requires(N >= 2)
 [[nodiscard]] constexpr mat<T, N - 1, N - 1> submatrix(const mat<T, N, N>& a, int row, int column) noexcept {
-  return detail::filled_mat<T, N - 1, N - 1>(
-      [&](int r, int c) { return a(r < row ? r : r + 1, c < column ? c : c + 1); });
+  return generate_mat<T, N - 1, N - 1>([&](int r, int c) { return a(r < row ? r : r + 1, c < column ? c : c + 1); });
 }
 
 /// The factor by which the matrix scales lengths, areas or volumes, negative when it turns left into right.
@@ -216,11 +209,11 @@ template <class T, int N>
 [[nodiscard]] constexpr mat<T, N, N> cofactor_matrix(const mat<T, N, N>& a) noexcept {
   if constexpr (N == 3) {  // counting rows and columns round and round gives the signs without a negation
     constexpr int next[] = {1, 2, 0}, last[] = {2, 0, 1};
-    return detail::filled_mat<T, 3, 3>([&](int r, int c) {
+    return generate_mat<T, 3, 3>([&](int r, int c) {
       return product(a(next[r], next[c]), a(last[r], last[c])) - product(a(next[r], last[c]), a(last[r], next[c]));
     });
   } else {
-    return detail::filled_mat<T, N, N>([&](int r, int c) {
+    return generate_mat<T, N, N>([&](int r, int c) {
       const T det = determinant(submatrix(a, r, c));
       return (r + c) % 2 == 0 ? det : -det;
     });

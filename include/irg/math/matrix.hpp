@@ -226,7 +226,7 @@ constexpr matrix_result<T> solution_column(solvability kind, int n, const X& x) 
 
 template <Floating T, int N, class E>
 constexpr matrix_result<T> solve_of_size(const E& entry) {
-  const auto s = solve_gauss(filled_mat<T, N, N + 1>([&](int r, int c) { return static_cast<T>(entry(r, c)); }));
+  const auto s = solve_gauss(generate_mat<T, N, N + 1>([&](int r, int c) { return static_cast<T>(entry(r, c)); }));
   return solution_column<T>(s.kind, N, [&](int i) { return s.x[i]; });
 }
 

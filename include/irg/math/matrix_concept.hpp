@@ -71,7 +71,7 @@ inline namespace IRG_ABI {
 template <Matrix M>
 [[nodiscard]] constexpr auto to_mat(const M& m) {
   using traits = matrix_traits<M>;
-  return detail::filled_mat<typename traits::scalar, traits::rows, traits::columns>(
+  return generate_mat<typename traits::scalar, traits::rows, traits::columns>(
       [&](int r, int c) { return traits::get(m, r, c); });
 }
 

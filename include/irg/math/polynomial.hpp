@@ -206,11 +206,11 @@ template <PolynomialCoefficients C>
   const double at = widened(x);
   if (n > 0 && detail::can_be_bounded(n, wide, at)) {
     const detail::compensated_sum sum = detail::bounded_horner(n, wide, at);
-    return detail::narrow<T>(sum.value + sum.error);
+    return narrowed<T>(sum.value + sum.error);
   }
   if (!is_finite(at) || !detail::all_finite(n, wide)) return evaluate_polynomial(c, x);
   if (n == 0 || at == 0) return n == 0 ? T(0) : c[0];
-  return detail::narrow<T>(detail::scaled_horner(n, wide, at));
+  return narrowed<T>(detail::scaled_horner(n, wide, at));
 }
 
 template <Floating T, std::size_t N>
@@ -222,7 +222,7 @@ template <Floating T, std::size_t N>
   if (detail::can_be_bounded(N, at, widened(x)) &&
       detail::round_safely(detail::bounded_horner(N, at, widened(x)), rounded))
     return rounded;
-  return detail::rounded_once<T>(detail::exact_horner(wide, widened(x)));
+  return detail::round_exact_sum<T>(detail::exact_horner(wide, widened(x)));
 }
 
 template <Floating T, std::size_t N>

@@ -384,7 +384,7 @@ constexpr double root_beside(const cubic_coefficients& p, const cubic_shape& sha
 
 template <Floating T, int N>
 constexpr void append_root(real_roots<T, N>& roots, double x, int multiplicity) noexcept {
-  roots.root[roots.count] = narrow<T>(x + 0.0);  // -0 becomes 0
+  roots.root[roots.count] = narrowed<T>(x + 0.0);  // -0 becomes 0
   roots.multiplicity[roots.count++] = multiplicity;
   roots.kind = roots.count == 1 ? roots_kind::one : roots.count == 2 ? roots_kind::two : roots_kind::three;
 }
@@ -515,7 +515,7 @@ template <Floating T>
   const double root = sqrt(discriminant);
   const double sum = -0.5 * (q < 0 ? q - root : q + root);
   const double x = sum / p, y = sum == 0 ? 0 : r / sum;
-  return detail::two_real_roots(detail::narrow<T>(x), detail::narrow<T>(y), discriminant == 0);
+  return detail::two_real_roots(narrowed<T>(x), narrowed<T>(y), discriminant == 0);
 }
 
 template <Floating T>

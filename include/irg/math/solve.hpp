@@ -239,7 +239,7 @@ IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system
 template <Floating T, int N>
 constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noexcept {
   const auto entry = [&](int r, int c) { return widened(a(r, c)); };
-  auto rows = filled_mat<double, N, N + 1>(entry);
+  auto rows = generate_mat<double, N, N + 1>(entry);
   if (!entries_finite<double>(rows, N, N + 1)) return {};
   int column[2 * static_cast<std::size_t>(N)]{}, exponents[2 * static_cast<std::size_t>(N)]{};
   double largest_term[static_cast<std::size_t>(N)]{}, x[static_cast<std::size_t>(N)]{};
@@ -292,7 +292,7 @@ template <Real T, int N, int M>
     s = detail::solve_up_to_four<T, N>(a);
   } else {
     const auto entry = [&](int r, int c) { return static_cast<W>(a(r, c)); };
-    auto rows = detail::filled_mat<W, N, M>(entry);
+    auto rows = generate_mat<W, N, M>(entry);
     if (!detail::entries_finite<W>(rows, N, M)) return {};
     int column[2 * static_cast<std::size_t>(N)]{}, exponents[2 * static_cast<std::size_t>(N)]{};
     W largest_term[static_cast<std::size_t>(N)]{}, x[static_cast<std::size_t>(N)]{};
@@ -314,7 +314,7 @@ template <Real T, int N, int M>
 /// cost    as for the rows of a with b behind them
 template <Real T, int N>
 [[nodiscard]] constexpr system_solution<T, N> solve_gauss(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
-  return solve_gauss(detail::filled_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));
+  return solve_gauss(generate_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));
 }
 
 /// The solution of equations whose coefficients left of the diagonal are zero, from the last to the first:

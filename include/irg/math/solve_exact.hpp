@@ -39,7 +39,7 @@ template <Floating T, int N, int M>
 template <Floating T, int N>
   requires(N <= 4)
 [[nodiscard]] constexpr system_solution<T, N> solve_exact(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
-  return solve_exact(detail::filled_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));
+  return solve_exact(generate_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));
 }
 
 }  // namespace irg::inline IRG_ABI

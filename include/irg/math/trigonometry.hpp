@@ -60,14 +60,14 @@ template <Floating T>
 /// exact   double within 0.51 ulp, subnormal results too; float the nearest one
 template <Floating T>
 [[nodiscard]] constexpr T radians(T x) noexcept {
-  return detail::narrow<T>(detail::multiply_by_constant(widened(x), detail::degree_high, detail::degree_low));
+  return narrowed<T>(detail::multiply_by_constant(widened(x), detail::degree_high, detail::degree_low));
 }
 
 /// The angle of x radians in degrees.
 /// exact   double within 0.51 ulp, float the nearest one
 template <Floating T>
 [[nodiscard]] constexpr T degrees(T x) noexcept {
-  return detail::narrow<T>(detail::multiply_by_constant(widened(x), detail::radian_high, detail::radian_low));
+  return narrowed<T>(detail::multiply_by_constant(widened(x), detail::radian_high, detail::radian_low));
 }
 
 /// The sine and the cosine of an angle in degrees.
@@ -277,7 +277,7 @@ template <Floating T>
 [[nodiscard]] constexpr T tan(T x) noexcept {
   if (detail::is_tiny_angle(x)) return x;
   if (!is_finite(x)) return not_a_number<T>;
-  return detail::narrow<T>(detail::rounded_tangent(detail::reduce_radians(x)));
+  return narrowed<T>(detail::rounded_tangent(detail::reduce_radians(x)));
 }
 
 template <Floating T>
@@ -285,8 +285,8 @@ template <Floating T>
   if (!is_finite(x)) return {not_a_number<T>, not_a_number<T>};
   if (detail::is_tiny_angle(x)) return {radians(x), T(1)};
   const detail::quadrant_angle angle = detail::reduce_degrees(widened(x));
-  const T sine = detail::narrow<T>(detail::rounded_sine(angle));
-  return {sine == 0 && is_negative(x) ? T(-0.0) : sine + T(0), detail::narrow<T>(detail::rounded_cosine(angle)) + T(0)};
+  const T sine = narrowed<T>(detail::rounded_sine(angle));
+  return {sine == 0 && is_negative(x) ? T(-0.0) : sine + T(0), narrowed<T>(detail::rounded_cosine(angle)) + T(0)};
 }
 
 template <Floating T>
@@ -298,7 +298,7 @@ template <Floating T>
       if (const double quick = detail::quick_angle_of(magnitude(wide_y), magnitude(wide_x), is_negative(x));
           quick >= 0x1p-126 && detail::rounds_to_one_float<(1 << 19)>(quick))
         return converted<float>(with_sign(quick, wide_y));
-  return detail::narrow<T>(detail::angle_of(wide_y, wide_x));
+  return narrowed<T>(detail::angle_of(wide_y, wide_x));
 }
 
 template <Floating T>
@@ -319,7 +319,7 @@ template <Floating T>
   if constexpr (std::is_same_v<T, float>)
     if (const double quick = detail::quick_angle_of_sine(wide); detail::rounds_to_one_float<(1 << 19)>(quick))
       return converted<float>(quick);
-  return detail::is_tiny_angle(x) ? x : detail::narrow<T>(detail::angle_of_sine(wide));
+  return detail::is_tiny_angle(x) ? x : narrowed<T>(detail::angle_of_sine(wide));
 }
 
 template <Floating T>

@@ -301,15 +301,15 @@ template <Coordinates P>
 struct own_coordinates {
   using type = std::array<scalar_of<P>, static_cast<std::size_t>(size_of<P>)>;
 };
-template <detail::means<coordinate_kind::vector> P>
+template <CoordinatesOfKind<coordinate_kind::vector> P>
 struct own_coordinates<P> {
   using type = vec<scalar_of<P>, size_of<P>>;
 };
-template <detail::means<coordinate_kind::point> P>
+template <CoordinatesOfKind<coordinate_kind::point> P>
 struct own_coordinates<P> {
   using type = point<scalar_of<P>, size_of<P>>;
 };
-template <detail::means<coordinate_kind::homogeneous> P>
+template <CoordinatesOfKind<coordinate_kind::homogeneous> P>
 struct own_coordinates<P> {
   using type = hpoint<scalar_of<P>, size_of<P> - 1>;
 };

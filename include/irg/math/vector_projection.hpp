@@ -46,8 +46,8 @@ inline namespace IRG_ABI {
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 [[nodiscard]] constexpr std::optional<scalar_of<A>> scalar_projection(const A& a, const B& b) noexcept {
-  const auto s = detail::scaled(a);
-  const auto t = detail::scaled(b);
+  const auto s = scaled_near_one(a);
+  const auto t = scaled_near_one(b);
   if (!detail::can_project(s, t)) return std::nullopt;
   if (s.scale == 0) return scalar_of<A>(0);
   const auto part = detail::divide(detail::unrounded_dot(s, t), detail::unrounded_length(t));
@@ -63,8 +63,8 @@ template <Vector A, Vector B>
 [[nodiscard]] constexpr std::optional<B> vector_projection(const A& a, const B& b) noexcept {
   using T = scalar_of<A>;
   if constexpr (Floating<T>) {
-    const auto s = detail::scaled(a);
-    const auto t = detail::scaled(b);
+    const auto s = scaled_near_one(a);
+    const auto t = scaled_near_one(b);
     if (!detail::can_project(s, t)) return std::nullopt;
     if (s.scale == 0) return generate_coordinates<B>([](int) { return T(0); });
     const auto part = detail::divide(detail::unrounded_dot(s, t), detail::unrounded_dot(t, t));
@@ -85,8 +85,8 @@ template <Vector A, Vector B>
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 [[nodiscard]] constexpr std::optional<scalar_of<A>> cosine_between(const A& a, const B& b) noexcept {
-  const auto s = detail::scaled(a);
-  const auto t = detail::scaled(b);
+  const auto s = scaled_near_one(a);
+  const auto t = scaled_near_one(b);
   if (!detail::can_project(s, t) || s.scale == 0) return std::nullopt;
   const auto cosine = detail::divide(detail::unrounded_dot(s, t),
                                      detail::multiply(detail::unrounded_length(s), detail::unrounded_length(t)));

@@ -35,7 +35,7 @@ template <Mesh M>
 /// exact   for the numbers as they are
 /// cost    sorts the sides, then some eight signs of orient3d for each triangle; allocates sides and corners
 /// source  Mehlhorn et al. 1999 (convexity by edges and one ray)
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr bool is_convex_body(const M& m);
 
 }  // namespace IRG_ABI
@@ -81,7 +81,7 @@ constexpr bool are_paired(const std::vector<mesh_side>& sides) noexcept {
 // plane, and none in front. So all faces look away from the middle of the four, which no rounding needs to find: a
 // determinant with the middle is the mean of those with the four. What is left to see is that no face bends inward at a
 // side, and that the surface winds round the middle once.
-template <mesh_in_space M>
+template <SpaceMesh M>
 class convexity_check {
   using P = assignable<mesh_point<M>>;
 
@@ -210,7 +210,7 @@ template <Mesh M>
   return detail::are_paired(detail::sorted_sides(m));
 }
 
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr bool is_convex_body(const M& m) {
   return detail::convexity_check<M>(m)();
 }

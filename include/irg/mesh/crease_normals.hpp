@@ -10,6 +10,7 @@
 
 #include <irg/math/angle_between.hpp>
 #include <irg/mesh/detail/corner_groups.hpp>
+#include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/normals.hpp>
 
 namespace irg {
@@ -40,7 +41,7 @@ constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight 
     });
 
   detail::corner_groups groups(count);
-  const auto ends = detail::edge_ends(m);
+  const auto ends = edge_ends(m);
   for (std::size_t i = 0, next = 0; i < ends.size(); i = next) {
     while (next < ends.size() && ends[next].from == ends[i].from && ends[next].to == ends[i].to) ++next;
     if (next - i != 2 || ends[i].leaves == ends[i + 1].leaves) continue;

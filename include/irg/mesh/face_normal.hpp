@@ -9,16 +9,14 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/ring.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/length.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg {
 namespace detail {
 
-template <class M>
-concept mesh_in_space =
-    Mesh<M> && size_of<typename mesh_traits<M>::point> == 3 && Floating<scalar_of<typename mesh_traits<M>::point>>;
-template <mesh_in_space M>
+template <SpaceMesh M>
 using mesh_normal = vec<scalar_of<typename mesh_traits<M>::point>, 3>;
 
 }  // namespace detail
@@ -41,7 +39,7 @@ template <PolygonRing R>
 /// exact   a triangle's is within 8u of the unit normal times its longest edge over its height; no overflow and no
 ///         underflow for finite positions of any size
 /// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept;
 
 }  // namespace IRG_ABI
@@ -83,7 +81,7 @@ constexpr polygon_edges<Position> edges_of(std::size_t count, const Position& po
     const vec<double, 3> v = edges(0, k);
     for (int i = 0; i < 3; ++i) largest = greater(largest, magnitude(v[i]));
   }
-  edges.after = largest > 0 ? power_of_two_for(largest) : 0;
+  edges.after = largest > 0 ? normalizing_power_of_two(largest) : 0;
   return edges;
 }
 
@@ -114,10 +112,10 @@ template <PolygonRing R>
   const auto position = [&](std::size_t k) { return ring_traits<R>::vertex(ring, k); };
   const detail::polygon_edges edges{ring_size(ring), position, 1, 1};
   const vec<double, 3> sum = detail::newell_sum(edges);
-  return generate_coordinates<vec<T, 3>>([&](int i) { return detail::narrow<T>(sum[i]); });
+  return generate_coordinates<vec<T, 3>>([&](int i) { return narrowed<T>(sum[i]); });
 }
 
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
   using V = detail::mesh_normal<M>;
   const auto unit = try_normalize(detail::newell_sum(detail::edges_of_face(m, f)));

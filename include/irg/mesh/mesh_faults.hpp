@@ -11,6 +11,7 @@
 #include <irg/geometry/point_on_triangle.hpp>
 #include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/detail/equal_vectors.hpp>
+#include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg {

@@ -11,6 +11,7 @@
 #include <irg/core/instructions.hpp>
 #include <irg/math/angle_between.hpp>
 #include <irg/math/constants.hpp>
+#include <irg/math/hypot.hpp>
 #include <irg/math/length.hpp>
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/mesh.hpp>
@@ -36,7 +37,7 @@ inline namespace IRG_ABI {
 /// cost    one pass over the corners; allocates the result
 /// source  Mihajlovic 2016, 7.3 (average; its division by the count is left out as it keeps the direction); Thuermer
 ///         and Wuethrich 1998 (angle); area: the length of Newell's vector
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr std::vector<detail::mesh_normal<M>> vertex_normals(
     const M& m, normal_weight weight = normal_weight::average);
 
@@ -75,7 +76,7 @@ inline void put_crosses(unit_block& b, std::size_t count) noexcept {
       largest = largest < p ? p : largest;
       largest = largest < q ? q : largest;
     }
-    // power_of_two_for, of what is not odd.
+    // normalizing_power_of_two, of what is not odd.
     const std::uint64_t exponent = bits_of(largest) & (std::uint64_t{0x7ff} << 52);
     const double unit = from_bits((std::uint64_t{2046} << 52) - exponent);
     const double ux = b.u[0][i] * unit, uy = b.u[1][i] * unit, uz = b.u[2][i] * unit;
@@ -99,10 +100,8 @@ inline void put_units(unit_block& b, std::size_t count) noexcept {
   }
   for (std::size_t i = 0; i < count; ++i) b.v[2][i] = square_root_instruction(b.v[0][i]);
   for (std::size_t i = 0; i < count; ++i) {
-    const double root = b.v[2][i], grid = grid_below_root(b.v[0][i]);
-    const double rest =
-        rest_of_squares_one_by_one(root, grid, magnitude(b.u[0][i]), magnitude(b.u[1][i]), magnitude(b.u[2][i]));
-    const double length = root + product(rest, 0.5 / root);
+    const double length =
+        hypot_from_root(b.v[0][i], b.v[2][i], magnitude(b.u[0][i]), magnitude(b.u[1][i]), magnitude(b.u[2][i]));
     for (std::size_t k = 0; k < 3; ++k) b.u[k][i] = b.u[k][i] / length;
   }
 }
@@ -177,7 +176,7 @@ constexpr double area_scale(const M& m) noexcept {
       const double size = magnitude(widened(coordinate(mesh_traits<M>::position(m, v), i)));
       if (is_finite(size)) largest = greater(largest, size);
     }
-  return largest > 0 ? power_of_two_for(largest) : 1;
+  return largest > 0 ? normalizing_power_of_two(largest) : 1;
 }
 
 /// Calls f(k, unit, share) for every corner of a face that has a normal: the face's unit normal, and how much it counts
@@ -204,7 +203,7 @@ constexpr void for_weighted_corners(const M& m, std::size_t face, normal_weight 
 
 inline namespace IRG_ABI {
 
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m, normal_weight weight) {
   using V = detail::mesh_normal<M>;
   std::vector<V> normals(mesh_traits<M>::vertex_count(m), V{});

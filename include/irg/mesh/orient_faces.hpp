@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/mesh/detail/corner_groups.hpp>
+#include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg {
@@ -45,7 +45,7 @@ constexpr orient_status orient_faces(mesh<T>& m) {
     for (std::size_t k = 0; k < m.face_size(f); ++k) face_of[m.face_starts[f] + k] = f;
   std::vector<std::size_t> start(m.face_count() + 1, 0);
   std::vector<neighbour> neighbours;
-  const auto each_pair = [&, ends = detail::edge_ends(m)](const auto& use) {
+  const auto each_pair = [&, ends = edge_ends(m)](const auto& use) {
     for (std::size_t i = 0, next = 0; i < ends.size(); i = next) {
       while (next < ends.size() && ends[next].from == ends[i].from && ends[next].to == ends[i].to) ++next;
       if (next - i != 2 || ends[i].from > ends[i].to) continue;

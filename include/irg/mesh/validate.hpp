@@ -46,8 +46,16 @@ constexpr std::size_t first_not_finite(const Elements& elements) noexcept {
   return elements.size();
 }
 
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The first defect of the mesh's faces, or none: what validate asks first, and enough to walk over them.
+/// exact   always
+/// cost    linear in the corners
 template <Scalar T>
-constexpr mesh_finding find_face_defect(const mesh<T>& m) noexcept {
+[[nodiscard]] constexpr mesh_finding validate_faces(const mesh<T>& m) noexcept {
   if (m.face_starts.empty() || m.face_starts.front() != 0) return {mesh_defect::bad_face_start};
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const std::size_t start = m.face_starts[f], end = m.face_starts[f + 1];
@@ -66,11 +74,6 @@ constexpr mesh_finding find_face_defect(const mesh<T>& m) noexcept {
   return {};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-
-inline namespace IRG_ABI {
-
 /// The first defect of the mesh, or none.
 /// gives   in this order: faces, positions, normals, texcoords, parts. Geometry is not judged: a face without area, a
 ///         corner that is named twice or an edge of three faces is no defect here
@@ -78,7 +81,7 @@ inline namespace IRG_ABI {
 /// cost    linear
 template <Scalar T>
 [[nodiscard]] constexpr mesh_finding validate(const mesh<T>& m) noexcept {
-  if (const mesh_finding found = detail::find_face_defect(m); found.defect != mesh_defect::none) return found;
+  if (const mesh_finding found = validate_faces(m); found.defect != mesh_defect::none) return found;
   if (const std::size_t i = detail::first_not_finite<3>(m.positions); i < m.positions.size())
     return {mesh_defect::position_not_finite, i};
   if (const std::size_t i = detail::first_not_finite<3>(m.normals); i < m.normals.size())

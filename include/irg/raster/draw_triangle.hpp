@@ -16,6 +16,33 @@
 
 namespace irg {
 
+/// What paint_triangle calls to draw with a pixel shader: the shaded colour goes into every pixel of a row whose bit is
+/// set.
+template <class Shader>
+struct shade_over {
+  const Shader& shader;
+
+  template <class F, class P>
+  IRG_INLINE constexpr void operator()(P* row, unsigned bits, const pixel_weights<F>& at) const {
+    if constexpr (LaneShader<Shader, P>) {
+      const auto light = shader.light(at);
+      float r[lanes<F>::count]{}, g[lanes<F>::count]{}, b[lanes<F>::count]{};
+      lanes<F>::store(r, light.r);
+      lanes<F>::store(g, light.g);
+      lanes<F>::store(b, light.b);
+      for (; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
+        row[i] = shader.encode({r[i], g[i], b[i]});
+      }
+    } else {
+      for (; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
+        row[i] = shader(pixel_weights<float>{lane(at.weight1, i), lane(at.weight2, i), lane(at.depth, i)});
+      }
+    }
+  }
+};
+
 namespace detail {
 inline namespace IRG_ABI {
 
@@ -45,32 +72,6 @@ template <int N>
 IRG_INLINE void count_up(pack<std::int32_t, N>& counter, const pack<std::int32_t, N>& mask) noexcept {
   counter = counter - mask;
 }
-
-// Writes the shaded colour of every lane whose bit is set.
-template <class Shader>
-struct shade_over {
-  const Shader& shader;
-
-  template <class F, class P>
-  IRG_INLINE constexpr void operator()(P* row, unsigned bits, const pixel_weights<F>& at) const {
-    if constexpr (LaneShader<Shader, P>) {
-      const auto light = shader.light(at);
-      float r[lanes<F>::count]{}, g[lanes<F>::count]{}, b[lanes<F>::count]{};
-      lanes<F>::store(r, light.r);
-      lanes<F>::store(g, light.g);
-      lanes<F>::store(b, light.b);
-      for (; bits != 0; bits &= bits - 1) {
-        const int i = std::countr_zero(bits);
-        row[i] = shader.encode({r[i], g[i], b[i]});
-      }
-    } else {
-      for (; bits != 0; bits &= bits - 1) {
-        const int i = std::countr_zero(bits);
-        row[i] = shader(pixel_weights<float>{lane(at.weight1, i), lane(at.weight2, i), lane(at.depth, i)});
-      }
-    }
-  }
-};
 
 // A row of the picture, and the part of it that may be drawn to.
 template <class P, class Z>
@@ -142,21 +143,6 @@ constexpr draw_counts triangle_rows(Colour& colour, Depth& depth, const covered_
   return {total(counts.tested), total(counts.shaded), total(counts.ties)};
 }
 
-// Paints what is visible of a triangle: lanes with 32-bit coverage where the numbers fit, else one pixel at a time with
-// 64 bits.
-template <class How, class Policy, class Colour, class Depth, class Paint>
-constexpr draw_counts paint_triangle(Colour& colour, Depth& depth, const covered_triangle& t, const Paint& paint,
-                                     const cell_window& window) {
-  const cell_window w = intersect(t.coverage.bounds, window);
-  if (t.coverage.double_area == 0 || w.empty()) return {};
-  if (!std::is_constant_evaluated()) {
-    constexpr int count = native_lanes<float>;
-    if (window.x_last - window.x_first >= count && fits_32_bits(t.coverage, w, count))
-      return triangle_rows<How, Policy, pack<float, count>, pack<std::int32_t, count>>(colour, depth, t, paint, window);
-  }
-  return triangle_rows<How, Policy, float, std::int64_t>(colour, depth, t, paint, window);
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -169,6 +155,25 @@ concept KeepsDepths = DepthKeeping<How, pixel_of<R>> && (DepthFormat<How> || std
 }  // namespace detail
 
 inline namespace IRG_ABI {
+
+/// draw_triangle with a painter in place of the shader: paint(row, bits, weights) is given a row from some pixel on,
+/// as many bits as registers have lanes, set for the pixels to be drawn, and the weights of all these lanes.
+/// shape   How, Policy, window and counts as draw_triangle has them; shade_over is the painter for shaders
+/// needs   a painter for weights of float and of registers of float
+template <class How, DepthPolicy Policy, RowRaster Colour, class Depth, class Paint>
+constexpr draw_counts paint_triangle(Colour& colour, Depth& depth, const covered_triangle& t, const Paint& paint,
+                                     const cell_window& window) {
+  const cell_window w = intersect(t.coverage.bounds, window);
+  if (t.coverage.double_area == 0 || w.empty()) return {};
+  if (!std::is_constant_evaluated()) {
+    constexpr int count = native_lanes<float>;
+    // Lanes with 32-bit coverage where the numbers fit, else one pixel at a time with 64 bits.
+    if (window.x_last - window.x_first >= count && fits_32_bits(t.coverage, w, count))
+      return detail::triangle_rows<How, Policy, pack<float, count>, pack<std::int32_t, count>>(colour, depth, t, paint,
+                                                                                               window);
+  }
+  return detail::triangle_rows<How, Policy, float, std::int64_t>(colour, depth, t, paint, window);
+}
 
 /// Draws the pixels of a triangle whose depths pass the test, by default those nearer than what `depth` holds, and
 /// returns how many were tested and drawn.
@@ -186,7 +191,7 @@ template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, Ro
   requires detail::KeepsDepths<Depth, How>
 constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const covered_triangle& t, const Shader& shader,
                                     const cell_window& window) {
-  return detail::paint_triangle<How, Policy>(colour, depth, t, detail::shade_over<Shader>{shader}, window);
+  return paint_triangle<How, Policy>(colour, depth, t, shade_over<Shader>{shader}, window);
 }
 
 /// As above, the coverage worked out here and the whole raster open to drawing.
@@ -205,8 +210,8 @@ constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const screen_v
 template <RowRaster Colour, PixelShader<pixel_of<Colour>> Shader>
 constexpr draw_counts draw_triangle(Colour& colour, const screen_vertex (&v)[3], const Shader& shader) {
   const detail::no_depth depth{};
-  return detail::paint_triangle<drawing_order, depth_policy<>>(colour, depth, cover_and_set_up(v[0], v[1], v[2]),
-                                                               detail::shade_over<Shader>{shader}, window_of(colour));
+  return paint_triangle<drawing_order, depth_policy<>>(colour, depth, cover_and_set_up(v[0], v[1], v[2]),
+                                                       shade_over<Shader>{shader}, window_of(colour));
 }
 
 }  // namespace IRG_ABI

@@ -4,11 +4,11 @@
 // method that asks here gives the same picture.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <span>
 
 #include <irg/core/conversion.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/wide_int.hpp>
 #include <irg/raster/depth.hpp>
 #include <irg/raster/screen_face.hpp>
@@ -20,6 +20,12 @@ struct face_sample {
   const screen_face& face;
   float depth;
 };
+
+/// 1 where the greater depth is the nearer one, -1 where the lesser is, 0 for orders that do not ask for depths.
+template <DepthOrder Order>
+inline constexpr int depth_sense = Order::nearer(0.0f, 0.0f)   ? 0
+                                   : Order::nearer(1.0f, 0.0f) ? 1
+                                                               : -1;
 
 inline namespace IRG_ABI {
 
@@ -50,6 +56,28 @@ template <DepthOrder Order = nearer_is_greater>
 [[nodiscard]] IRG_INLINE constexpr bool is_nearer(const screen_face& a, const screen_face& b, int x, int y) noexcept;
 template <DepthOrder Order = nearer_is_greater>
 [[nodiscard]] IRG_INLINE constexpr bool is_nearer(const face_sample& a, const face_sample& b, int x, int y) noexcept;
+
+/// Whether face a is seen before face b where they are equally near: its number is the lower one; for drawing_order,
+/// which draws it later, the higher one.
+template <DepthOrder Order = nearer_is_greater>
+[[nodiscard]] IRG_INLINE constexpr bool wins_tie(const screen_face& a, const screen_face& b) noexcept {
+  return depth_sense<Order> == 0 ? b.number < a.number : a.number < b.number;
+}
+
+/// A depth as an integer of N words: d * 2^(149 - lowest).
+/// needs   d finite, and 0 or integer_parts_of(d).place >= lowest; words enough, the last bit of which is the sign's
+/// exact   always, in any mode of the processor
+template <int N>
+[[nodiscard]] constexpr wide_int<N> depth_as_integer(float d, int lowest) noexcept {
+  const integer_parts<float> x = integer_parts_of(d);
+  wide_int<N> v;
+  if (x.significand == 0) return v;
+  const int word = (x.place - lowest) / 64, bit = (x.place - lowest) % 64;
+  v.word[word] = std::uint64_t{x.significand} << bit;
+  if constexpr (N > 1)
+    if (bit != 0) v.word[word + 1] = std::uint64_t{x.significand} >> (64 - bit);
+  return x.negative ? -v : v;
+}
 
 /// 1 when a corner lies in front of the plane of a face, nearer than it; -1 when behind, 0 in the plane.
 /// needs   the corner's position within snap_limit pixels of the origin
@@ -89,12 +117,6 @@ struct mean_depth {
 // As it is at hand. Positions lie within 2^29, so edge functions, twice the areas of triangles in a square of side
 // 2^30, are at most 2^60 in size.
 using plane_depth_at = mean_depth<std::int64_t, float>;
-
-// 1 where the greater depth is the nearer one, -1 where the lesser is, 0 for orders that do not ask for depths.
-template <DepthOrder Order>
-inline constexpr int depth_sense = Order::nearer(0.0f, 0.0f)   ? 0
-                                   : Order::nearer(1.0f, 0.0f) ? 1
-                                                               : -1;
 
 inline namespace IRG_ABI {
 
@@ -147,37 +169,11 @@ IRG_INLINE constexpr int rounded_sign(const Plane& a, const Plane& b) noexcept {
   return static_cast<int>(difference > bound) - static_cast<int>(difference < -bound);  // no branch
 }
 
-// A float as +-significand * 2^(place - 149), told from its bits: no mode of the processor reaches it.
-struct float_parts {
-  std::uint32_t significand;
-  int place;
-  bool negative;
-};
-IRG_INLINE constexpr float_parts parts_of(float x) noexcept {
-  const auto bits = std::bit_cast<std::uint32_t>(x);
-  const std::uint32_t fraction = bits & 0x7fffff, field = (bits >> 23) & 0xff;
-  return {field == 0 ? fraction : fraction | 0x800000, field == 0 ? 0 : static_cast<int>(field) - 1, bits >> 31 != 0};
-}
-
-// significand * 2^shift, with its sign, in N words, which are enough: the last is left to the sign.
-template <int N>
-constexpr wide_int<N> shifted(const float_parts& x, int shift) noexcept {
-  const int word = shift / 64, bit = shift % 64;
-  wide_int<N> v;
-  v.word[word] = std::uint64_t{x.significand} << bit;
-  if constexpr (N > 1)
-    if (bit != 0) v.word[word + 1] = std::uint64_t{x.significand} >> (64 - bit);
-  return x.negative ? -v : v;
-}
-
 // The sign with depths as integers of N words, all multiplied by the same power of two.
 template <int N, class Plane>
 constexpr int integer_sign(const Plane& a, const Plane& b, int lowest) noexcept {
   const auto exact = [lowest](const Plane& m) -> mean_depth<wide_int<1>, wide_int<N>> {
-    const auto depth = [lowest](float d) {
-      const float_parts x = parts_of(d);
-      return x.significand == 0 ? wide_int<N>() : shifted<N>(x, x.place - lowest);
-    };
+    const auto depth = [lowest](float d) { return depth_as_integer<N>(d, lowest); };
     return {
         {m.weight[0], m.weight[1], m.weight[2]}, m.total, {depth(m.depth[0]), depth(m.depth[1]), depth(m.depth[2])}};
   };
@@ -192,7 +188,7 @@ IRG_NOINLINE constexpr int exact_sign(const Plane& a, const Plane& b) noexcept {
   int lowest = 254, highest = 0;
   for (const Plane* m : {&a, &b})
     for (const float d : m->depth) {
-      const float_parts x = parts_of(d);
+      const integer_parts<float> x = integer_parts_of(d);
       if (x.significand == 0) continue;
       lowest = lesser(lowest, x.place);
       highest = greater(highest, x.place);
@@ -230,9 +226,9 @@ IRG_INLINE constexpr bool rounded_depths_decide(const face_sample& a, const face
 template <DepthOrder Order>
 IRG_INLINE constexpr bool comes_first(int nearness, const screen_face& a, const screen_face& b) noexcept {
   if constexpr (depth_sense<Order> == 0)
-    return b.number < a.number;
+    return wins_tie<Order>(a, b);
   else
-    return nearness != 0 ? nearness > 0 : a.number < b.number;
+    return nearness != 0 ? nearness > 0 : wins_tie<Order>(a, b);
 }
 
 // 1 where a is nearer at the centre of a pixel, -1 where b is, 0 where they are equally near.
@@ -268,7 +264,7 @@ template <DepthOrder Order>
 [[nodiscard]] IRG_INLINE constexpr int compare_depths(const face_sample& a, const face_sample& b, int x,
                                                       int y) noexcept {
   if (!detail::rounded_depths_decide(a, b)) return detail::compare_close_planes<Order>(a.face, b.face, x, y);
-  return detail::depth_sense<Order> * (b.depth < a.depth ? 1 : -1);
+  return depth_sense<Order> * (b.depth < a.depth ? 1 : -1);
 }
 
 template <DepthOrder Order>
@@ -278,7 +274,7 @@ template <DepthOrder Order>
 
 template <DepthOrder Order>
 [[nodiscard]] IRG_INLINE constexpr bool is_nearer(const face_sample& a, const face_sample& b, int x, int y) noexcept {
-  if (detail::depth_sense<Order> == 0 || !detail::rounded_depths_decide(a, b))
+  if (depth_sense<Order> == 0 || !detail::rounded_depths_decide(a, b))
     return detail::comes_first<Order>(detail::compare_close_planes<Order>(a.face, b.face, x, y), a.face, b.face);
   return Order::nearer(a.depth, b.depth);
 }
@@ -287,7 +283,7 @@ template <DepthOrder Order>
 [[nodiscard]] IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
   if (plane.coverage.double_area == 0) return 0;
   const detail::plane_depth_at here{{1, 0, 0}, 1, {corner.depth, 0.0f, 0.0f}};
-  return detail::depth_sense<Order> * detail::compare_depths_at(here, detail::plane_at(plane, corner.position));
+  return depth_sense<Order> * detail::compare_depths_at(here, detail::plane_at(plane, corner.position));
 }
 
 }  // namespace IRG_ABI

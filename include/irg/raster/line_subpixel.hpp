@@ -7,7 +7,7 @@
 // column. The two rules differ in ties and in the cells at the ends only, so one walk serves both.
 #pragma once
 
-#include <irg/raster/detail/floor_division.hpp>
+#include <irg/math/floor_division.hpp>
 #include <irg/raster/line_style.hpp>
 #include <irg/raster/paint.hpp>
 #include <irg/raster/subpixel.hpp>

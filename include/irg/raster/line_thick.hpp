@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/raster/detail/floor_division.hpp>
+#include <irg/math/floor_division.hpp>
 #include <irg/raster/detail/integer_sqrt.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/fill_span.hpp>

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <irg/core/coordinates.hpp>
-#include <irg/raster/detail/floor_division.hpp>
+#include <irg/math/floor_division.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/detail/snapped_line.hpp>
 #include <irg/raster/paint.hpp>

@@ -12,7 +12,7 @@
 
 #include <irg/core/vocabulary.hpp>
 #include <irg/core/sinks.hpp>
-#include <irg/raster/detail/floor_division.hpp>
+#include <irg/math/floor_division.hpp>
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>
 
@@ -56,6 +56,30 @@ inline namespace IRG_ABI {
   return area > 0 ? orientation::clockwise : area < 0 ? orientation::counter_clockwise : orientation::degenerate;
 }
 
+/// The first pixel of a row or column whose centre is at or after v.
+/// shape   v in 1/256 pixel, a number or a register of them
+/// needs   |v| at most snap_limit pixels
+template <class J>
+[[nodiscard]] IRG_INLINE constexpr J first_centre(const J& v) noexcept {
+  return (v + (half_pixel - 1)) >> subpixel_bits;
+}
+
+/// One past the last pixel of a row or column whose centre is at or before v.
+/// shape   as first_centre
+template <class J>
+[[nodiscard]] IRG_INLINE constexpr J last_centre(const J& v) noexcept {
+  return (v + (one_pixel - half_pixel)) >> subpixel_bits;
+}
+
+/// The pixels whose centres lie in the box of three places, its borders included.
+/// gives   an empty window where there are none
+[[nodiscard]] IRG_INLINE constexpr cell_window centres_within(const subpixel& a, const subpixel& b,
+                                                              const subpixel& c) noexcept {
+  const std::int32_t left = lesser(lesser(a.x, b.x), c.x), right = greater(greater(a.x, b.x), c.x);
+  const std::int32_t top = lesser(lesser(a.y, b.y), c.y), bottom = greater(greater(a.y, b.y), c.y);
+  return {first_centre(left), first_centre(top), last_centre(right), last_centre(bottom)};
+}
+
 }  // namespace IRG_ABI
 
 namespace detail {
@@ -71,22 +95,6 @@ IRG_INLINE constexpr triangle_edge make_edge(const subpixel& a, const subpixel& 
   const std::int64_t f = inside_if_not_negative >> subpixel_bits;  // rounds down
   return {f, static_cast<std::int32_t>(-dy), static_cast<std::int32_t>(dx),
           static_cast<std::int32_t>(at_first_centre - f * one_pixel)};
-}
-
-// The first pixel whose centre is at or after v; one past the last pixel whose centre is at or before v. Also of packs.
-template <class J>
-IRG_INLINE constexpr J first_centre(const J& v) noexcept {
-  return (v + (half_pixel - 1)) >> subpixel_bits;
-}
-template <class J>
-IRG_INLINE constexpr J last_centre(const J& v) noexcept {
-  return (v + (one_pixel - half_pixel)) >> subpixel_bits;
-}
-
-IRG_INLINE constexpr cell_window centres_within(const subpixel& a, const subpixel& b, const subpixel& c) noexcept {
-  const std::int32_t left = lesser(lesser(a.x, b.x), c.x), right = greater(greater(a.x, b.x), c.x);
-  const std::int32_t top = lesser(lesser(a.y, b.y), c.y), bottom = greater(greater(a.y, b.y), c.y);
-  return {first_centre(left), first_centre(top), last_centre(right), last_centre(bottom)};
 }
 
 }  // namespace IRG_ABI
@@ -113,7 +121,7 @@ inline namespace IRG_ABI {
   t.edge[0] = detail::make_edge(b, c);
   t.edge[1] = detail::make_edge(c, a);
   t.edge[2] = detail::make_edge(a, b);
-  t.bounds = detail::centres_within(a, b, c);
+  t.bounds = centres_within(a, b, c);
   return t;
 }
 
@@ -134,10 +142,10 @@ inline namespace IRG_ABI {
     const std::int64_t f = e(0, y);
     if (e.right > 0) {
       if (f + e.right * first < 0)  // the smallest x with f + right * x >= 0
-        first = lesser(-detail::floor_div(f, std::int64_t{e.right}), right);
+        first = lesser(-floor_div(f, std::int64_t{e.right}), right);
     } else if (e.right < 0) {
       if (f + e.right * (last - 1) < 0)  // one past the greatest such x
-        last = greater(detail::floor_div(f, -std::int64_t{e.right}) + 1, left);
+        last = greater(floor_div(f, -std::int64_t{e.right}) + 1, left);
     } else if (f < 0) {
       last = left;
     }

@@ -11,6 +11,7 @@
 
 #include <irg/core/vocabulary.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/math/floor_division.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/screen_mapping.hpp>

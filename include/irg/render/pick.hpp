@@ -51,7 +51,8 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, cell siz
   const std::size_t tile =
       static_cast<std::size_t>(pixel.y / detail::tile_size) * static_cast<std::size_t>(grid.across) +
       static_cast<std::size_t>(pixel.x / detail::tile_size);
-  const window_faces<T> faces({batches, &bins}, bins.list_of(tile));
+  const window_faces<T> faces =
+      detail::make_window_faces{}(detail::triangle_finder<T>{batches, &bins}, bins.list_of(tile));
   std::optional<screen_face> first;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const screen_face f = faces[i];

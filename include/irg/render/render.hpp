@@ -16,6 +16,7 @@
 #include <irg/render/wireframe.hpp>
 #include <irg/scene/scene.hpp>
 #include <irg/shade/intensity_range.hpp>
+#include <irg/shade/per_channel.hpp>
 
 namespace irg {
 
@@ -342,7 +343,7 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
                               const E& executor, Observer&& observer) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   for ([[maybe_unused]] const object<T>& o : world.objects)
-    IRG_EXPECTS(detail::find_face_defect(o.shape).defect == mesh_defect::none);
+    IRG_EXPECTS(validate_faces(o.shape).defect == mesh_defect::none);
   if (width == 0 || height == 0) return {};
   detail::objects_to_prepare<T> objects(world.objects);
   draw_workspace workspace;

@@ -12,16 +12,16 @@
 
 namespace irg {
 
+namespace detail {
+struct make_window_faces;
+}  // namespace detail
+
 /// The faces that a window of the picture may show: those of its triangles, and the pieces of those that were clipped.
 /// Faces beyond the picture, facing away or without a pixel centre are left out already, as the options say.
 /// shape   numbers rise with i; pieces of one triangle follow each other, under its number
 template <Floating T>
 class window_faces {
 public:
-  IRG_INLINE constexpr window_faces(const detail::triangle_finder<T>& find,
-                                    std::span<const std::uint32_t> numbers) noexcept
-      : find_(find), numbers_(numbers) {}
-
   [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return numbers_.size(); }
 
   /// Face i.
@@ -33,9 +33,28 @@ public:
   }
 
 private:
+  friend struct detail::make_window_faces;
+
+  IRG_INLINE constexpr window_faces(const detail::triangle_finder<T>& find,
+                                    std::span<const std::uint32_t> numbers) noexcept
+      : find_(find), numbers_(numbers) {}
+
   detail::triangle_finder<T> find_;
   std::span<const std::uint32_t> numbers_;
 };
+
+namespace detail {
+
+// The faces of the triangles that the finder knows by these numbers.
+struct make_window_faces {
+  template <Floating T>
+  IRG_INLINE constexpr window_faces<T> operator()(const triangle_finder<T>& find,
+                                                  std::span<const std::uint32_t> numbers) const noexcept {
+    return {find, numbers};
+  }
+};
+
+}  // namespace detail
 
 /// A way to find out what is visible, called once for every window of the picture that some face touches:
 ///     method(faces, window, ids, counts)

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/geometry/compare.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/visibility/view_through_portals.hpp>
 
@@ -69,7 +70,7 @@ private:
   constexpr std::size_t before(std::size_t i) const noexcept { return i > 0 ? i - 1 : posts_.size() - 1; }
 
   constexpr bool lies_on(const point<T, 2>& a, const point<T, 2>& b, const point<T, 2>& p) const noexcept {
-    return orient2d(a, b, p) == 0 && is_within_ends(a, b, p);
+    return orient2d(a, b, p) == 0 && is_between_ends(a, b, p);
   }
 
   // The posts of a side but its last, in order.
@@ -81,7 +82,7 @@ private:
       for (const point<T, 2>& p : {d.right, d.left}) {
         if (p == a || p == b || !lies_on(a, b, p)) continue;
         std::size_t i = posts_.size();
-        while (i > start && is_within_ends(a, posts_[i - 1].at, p) && !(posts_[i - 1].at == p)) --i;
+        while (i > start && is_between_ends(a, posts_[i - 1].at, p) && !(posts_[i - 1].at == p)) --i;
         if (i > start && posts_[i - 1].at == p) continue;
         posts_.insert(posts_.begin() + static_cast<std::ptrdiff_t>(i), post{p});
       }

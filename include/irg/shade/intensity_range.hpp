@@ -9,7 +9,7 @@
 
 #include <irg/core/contraction.hpp>
 #include <irg/core/scalar.hpp>
-#include <irg/shade/detail/per_channel.hpp>
+#include <irg/shade/per_channel.hpp>
 
 namespace irg {
 
@@ -30,7 +30,7 @@ inline namespace IRG_ABI {
 /// gives   0 for NaN
 template <class L, Scalar T>
 [[nodiscard]] IRG_INLINE constexpr L clamp_intensity(const L& intensity, const T& maximum) noexcept {
-  return detail::per_channel([&](const T& i) { return clamp(i, T(0), maximum); }, intensity);
+  return per_channel([&](const T& i) { return clamp(i, T(0), maximum); }, intensity);
 }
 
 /// Brings all intensities within 0 to maximum. rescale leaves them as they are when none is over it.
@@ -45,7 +45,7 @@ constexpr void fit_intensities(std::span<L> intensities, const T& maximum,
     return;
   }
   T largest = maximum;
-  for (const L& i : intensities) largest = detail::largest_channel(largest, i);
+  for (const L& i : intensities) largest = largest_channel(largest, i);
   if (!(maximum < largest)) return;
   const auto scaled = [&](const T& channel) -> T {
     if constexpr (Floating<T>)
@@ -54,7 +54,7 @@ constexpr void fit_intensities(std::span<L> intensities, const T& maximum,
     return product(channel, maximum) / largest;
   };
   for (L& i : intensities)
-    i = detail::per_channel(
+    i = per_channel(
         [&](const T& channel) {
           const T within = scaled(channel);  // but for its roundings
           return maximum < within ? maximum : within;
@@ -72,10 +72,10 @@ constexpr void fit_intensities(std::span<L> intensities, const T& maximum,
 template <class L, Real T, IntensityCurve<T> Curve>
 constexpr void fit_intensities(std::span<L> intensities, const T& maximum, const Curve& curve) {
   T largest = maximum;
-  for (const L& i : intensities) largest = detail::largest_channel(largest, i);
+  for (const L& i : intensities) largest = largest_channel(largest, i);
   if (!(T(0) < largest)) return;  // all are 0
   for (L& i : intensities)
-    i = detail::per_channel(
+    i = per_channel(
         [&](const T& channel) -> T {
           const T share = clamp(T(channel / largest), T(0), T(1));
           return product(clamp(static_cast<T>(curve(share)), T(0), T(1)), maximum);

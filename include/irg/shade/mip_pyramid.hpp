@@ -8,6 +8,7 @@
 
 #include <irg/math/exponential.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/shade/per_channel.hpp>
 #include <irg/shade/texture.hpp>
 
 namespace irg {

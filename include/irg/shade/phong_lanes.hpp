@@ -7,7 +7,9 @@
 
 #include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
+#include <irg/math/hypot.hpp>
 #include <irg/math/length.hpp>
+#include <irg/shade/per_channel.hpp>
 #include <irg/shade/shading.hpp>
 
 namespace irg {
@@ -35,19 +37,12 @@ IRG_INLINE mask_of_lanes<double, N> is_moderate(const triple_lanes<double, N>& v
   return (x <= most) & (y <= most) & (z <= most) & (f::broadcast(0x1p-100) <= high_of(x, high_of(y, z)));
 }
 
-template <int N>
-IRG_INLINE pack<double, N> grid_below_root(const pack<double, N>& square) noexcept {
-  return bits_as<double>(((bits_as<std::uint64_t>(square) >> 1) & exponent_of_grid) + offset_of_grid);
-}
-
 /// The lengths of vectors of moderate size, as hypot of three.
 template <int N>
 IRG_INLINE pack<double, N> length_of(const triple_lanes<double, N>& v) noexcept {
   using F = pack<double, N>;
   const F x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z), square = sum_of_squares(x, y, z);
-  const F root = square_root_instruction(square);
-  const F rest = rest_of_squares_one_by_one(root, grid_below_root(square), x, y, z);
-  return root + rest * (lanes<F>::broadcast(0.5) / root);
+  return hypot_from_root(square, square_root_instruction(square), x, y, z);
 }
 
 }  // namespace detail::inline IRG_ABI
@@ -59,7 +54,7 @@ class phong_lanes {
 public:
   IRG_APART constexpr explicit phong_lanes(const phong_shader<T>& shader) : shader_(shader) {
     const auto share = [](const rgb<T>& ii, const rgb<T>& k) {
-      return detail::per_channel([](T i, T reflected) { return product(i, reflected); }, ii, k);
+      return per_channel([](T i, T reflected) { return product(i, reflected); }, ii, k);
     };
     exponent_ = detail::small_integer(shader.surface.shininess);
     ambient_ = ambient_term(shader.light.ambient, shader.surface.ambient);

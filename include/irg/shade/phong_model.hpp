@@ -10,7 +10,7 @@
 #include <irg/core/contract.hpp>
 #include <irg/math/exponential.hpp>
 #include <irg/math/length.hpp>
-#include <irg/shade/detail/per_channel.hpp>
+#include <irg/shade/per_channel.hpp>
 #include <irg/shade/light.hpp>
 #include <irg/shade/material.hpp>
 
@@ -68,7 +68,7 @@ template <Scalar T>
 /// Ia ka: the light that comes from everywhere (7.5).
 template <class L>
 [[nodiscard]] IRG_INLINE constexpr L ambient_term(const L& light, const L& ambient) noexcept {
-  return detail::per_channel([](auto ia, auto ka) { return product(ia, ka); }, light, ambient);
+  return per_channel([](auto ia, auto ka) { return product(ia, ka); }, light, ambient);
 }
 
 /// Ii kd (L.N): the light that a dull surface scatters alike in all directions, brightest where the light falls on it
@@ -79,8 +79,8 @@ template <class L, Scalar T>
 [[nodiscard]] IRG_INLINE constexpr L diffuse_term(const L& light, const L& diffuse, const vec<T, 3>& to_light,
                                                   const vec<T, 3>& normal) noexcept {
   const T ln = dot(to_light, normal);
-  return detail::per_channel(
-      [&](auto ii, auto kd) { return T(0) < ln ? product(product(ii, kd), ln) : decltype(ii)(0); }, light, diffuse);
+  return per_channel([&](auto ii, auto kd) { return T(0) < ln ? product(product(ii, kd), ln) : decltype(ii)(0); },
+                     light, diffuse);
 }
 
 /// (R.V)^n: how near the viewer is to the reflected ray, 1 on it.
@@ -111,7 +111,7 @@ template <class T, class L>
                                                    const vec<T, 3>& to_light, const vec<T, 3>& normal,
                                                    const vec<T, 3>& to_viewer) noexcept {
   const T factor = specular_factor(to_light, normal, to_viewer, surface.shininess);
-  return detail::per_channel(
+  return per_channel(
       [&](auto ii, auto ks) { return factor == T(0) ? decltype(ii)(0) : product(product(ii, ks), factor); }, light,
       surface.specular);
 }
@@ -130,7 +130,7 @@ template <class T, class L>
 /// needs   r + k > 0
 template <class L, Scalar T>
 [[nodiscard]] IRG_INLINE constexpr L weakened_by_distance(const L& light, const T& r, const T& k) noexcept {
-  return detail::per_channel([&](auto ii) { return ii / (r + k); }, light);
+  return per_channel([&](auto ii) { return ii / (r + k); }, light);
 }
 
 /// A point of a surface and the normal there.

@@ -13,7 +13,7 @@
 #include <irg/colour/srgb.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/core/raster_concept.hpp>
-#include <irg/shade/detail/per_channel.hpp>
+#include <irg/shade/per_channel.hpp>
 
 namespace irg {
 

@@ -58,7 +58,7 @@ inline namespace IRG_ABI {
 /// exact   within 0.51 ulp, 1.2 where it is subnormal: of the exact volume of the triangles that triangulate() makes
 /// cost    six exact products a triangle, some 200 ns; allocates the triangles
 /// source  irg's own: the divergence theorem with exact sums
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr scalar_of<mesh_point<M>> solid_volume(const M& body) {
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<3> six_volumes;
@@ -73,7 +73,7 @@ template <detail::mesh_in_space M>
 /// gives   0 for a mesh without faces, infinity where it is beyond the largest number
 /// exact   the sum of the triangles' areas as triangle_area gives them, itself rounded nearly once
 /// cost    a triangle_area each; allocates the triangles
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr scalar_of<mesh_point<M>> surface_area(const M& surface) {
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<1> sum;
@@ -92,7 +92,7 @@ template <detail::mesh_in_space M>
 /// exact   each coordinate within 0.51 ulp, or 2^-1073
 /// cost    twenty-four exact products a triangle; allocates the triangles
 /// source  irg's own: the divergence theorem with exact sums
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr std::optional<point<scalar_of<mesh_point<M>>, 3>> centre_of_mass(const M& body) {
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<3> six_volumes;

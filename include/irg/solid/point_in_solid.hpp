@@ -35,7 +35,7 @@ inline namespace IRG_ABI {
 ///         plane simple face exactly, and a face that is not plane is its triangles
 /// cost    linear; allocates the triangles. solid_locator keeps them for many points
 /// source  Hoffmann 1989 (the ray), Edelsbrunner and Muecke 1990 (the move)
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr std::optional<int> winding_number(const M& body, const mesh_point<M>& p) {
   const detail::upward_crossings count = detail::count_upward_crossings(body, p);
   if (count.on_surface) return std::nullopt;
@@ -49,7 +49,7 @@ template <detail::mesh_in_space M>
 /// exact   as winding_number
 /// cost    as winding_number
 /// source  Mihajlovic 2016, 4.8 (the parity of a ray's faces); Hoffmann 1989
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr location point_in_solid(const M& body, const mesh_point<M>& p,
                                                 fill_rule rule = fill_rule::non_zero) {
   return detail::location_by_winding(detail::count_upward_crossings(body, p), rule);
@@ -62,7 +62,7 @@ template <detail::mesh_in_space M>
 /// exact   for all finite floats and doubles
 /// cost    one orient3d for each face, up to the first that p is in front of; nothing allocated
 /// source  Mihajlovic 2016, formulas 4.12 and 4.13
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr location point_in_convex_solid(const M& body, const mesh_point<M>& p) {
   const std::size_t faces = mesh_face_count(body);
   if (faces == 0 || !is_finite(p)) return location::outside;

@@ -92,7 +92,7 @@ class solid_locator {
 public:
   /// needs   as point_in_solid
   /// cost    sorts the triangles by place, O(n log n); allocates some 130 bytes a triangle of doubles
-  template <detail::mesh_in_space M>
+  template <SpaceMesh M>
     requires std::same_as<scalar_of<mesh_point<M>>, T>
   IRG_APART constexpr explicit solid_locator(const M& body) {
     detail::each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
@@ -215,7 +215,7 @@ private:
   std::vector<std::vector<block>> levels_;
 };
 
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 solid_locator(const M&) -> solid_locator<scalar_of<mesh_point<M>>>;
 
 }  // namespace irg

@@ -51,7 +51,7 @@ inline namespace IRG_ABI {
 ///         the distance of p from its sides (u = 2^-53); winding_number decides exactly where the surface is closed
 /// cost    three roots, nine divisions and an arc tangent a triangle; allocates the triangles
 /// source  Van Oosterom and Strackee 1983 (the angle); Jacobson et al. 2013 (the number for open surfaces)
-template <detail::mesh_in_space M>
+template <SpaceMesh M>
 [[nodiscard]] constexpr double winding_number_rounded(const M& surface, const mesh_point<M>& p) {
   using T = scalar_of<mesh_point<M>>;
   if (!is_finite(p)) return 0;

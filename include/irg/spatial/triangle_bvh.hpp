@@ -22,6 +22,10 @@
 
 namespace irg {
 
+namespace detail {
+struct triangle_blocks;
+}  // namespace detail
+
 /// A triangle that a ray crosses, by its number, and where.
 struct triangle_hit {
   std::uint32_t triangle = 0;
@@ -74,11 +78,10 @@ public:
   }
 
   [[nodiscard]] IRG_INLINE constexpr const bvh& tree() const noexcept { return tree_; }
-  [[nodiscard]] IRG_INLINE constexpr std::span<const detail::triangle_block<T>> blocks() const noexcept {
-    return blocks_;
-  }
 
 private:
+  friend struct detail::triangle_blocks;
+
   static constexpr std::size_t portion = 16384;
 
   template <class E, class Task>
@@ -122,6 +125,18 @@ private:
   bvh tree_;
   std::vector<detail::triangle_block<T>> blocks_;
 };
+
+namespace detail {
+
+// The corners as the rays of this header read them, eight triangles side by side.
+struct triangle_blocks {
+  template <Floating T>
+  IRG_INLINE static constexpr std::span<const triangle_block<T>> of(const triangle_bvh<T>& triangles) noexcept {
+    return triangles.blocks_;
+  }
+};
+
+}  // namespace detail
 
 inline namespace IRG_ABI {
 
@@ -474,9 +489,10 @@ template <Floating T, Floating U, detail::RayCounts C>
 [[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
                                                                 C& counts) noexcept {
   std::optional<triangle_hit> hit;
-  detail::find_first_crossing(triangles.tree(), triangles.blocks(), r, counts,
+  detail::find_first_crossing(triangles.tree(), detail::triangle_blocks::of(triangles), r, counts,
                               [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
-                                hit = triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)};
+                                hit = triangle_hit{
+                                    x.number, detail::finished_crossing(q, detail::triangle_blocks::of(triangles), x)};
                               });
   return hit;
 }
@@ -490,10 +506,11 @@ constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ra
     if constexpr (std::is_same_v<U, float>)
       while (detail::walks_in_packets() && rays.size() - i >= detail::ray_packet::size) {
         const auto put = [&](unsigned k, const auto& q, const detail::first_crossing& x) {
-          hits[i + k] = triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)};
+          hits[i + k] = triangle_hit{x.number, detail::finished_crossing(q, detail::triangle_blocks::of(triangles), x)};
         };
         for (std::size_t k = 0; k < detail::ray_packet::size; ++k) hits[i + k] = std::nullopt;
-        if (!detail::find_packet_crossings(triangles.tree(), triangles.blocks(), rays.data() + i, counts, put)) {
+        if (!detail::find_packet_crossings(triangles.tree(), detail::triangle_blocks::of(triangles), rays.data() + i,
+                                           counts, put)) {
           for (std::size_t k = 0; k < detail::ray_packet::size; ++k)
             hits[i + k] = closest_hit(triangles, rays[i + k], counts);
         }
@@ -506,7 +523,7 @@ constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ra
 template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, detail::RayCounts C>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Admits& admits,
                                      C& counts) {
-  return detail::crosses_any(triangles.tree(), triangles.blocks(), r, counts, admits);
+  return detail::crosses_any(triangles.tree(), detail::triangle_blocks::of(triangles), r, counts, admits);
 }
 
 template <Floating T, Floating U, detail::RayCounts C>
@@ -516,10 +533,11 @@ template <Floating T, Floating U, detail::RayCounts C>
 
 template <Floating T, Floating U, class Sink, detail::RayCounts C>
 constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink, C& counts) {
-  detail::each_crossing(triangles.tree(), triangles.blocks(), r, counts,
-                        [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
-                          sink(triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)});
-                        });
+  detail::each_crossing(
+      triangles.tree(), detail::triangle_blocks::of(triangles), r, counts,
+      [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
+        sink(triangle_hit{x.number, detail::finished_crossing(q, detail::triangle_blocks::of(triangles), x)});
+      });
 }
 
 }  // namespace irg::inline IRG_ABI

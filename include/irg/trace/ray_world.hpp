@@ -13,6 +13,7 @@
 
 #include <irg/math/length.hpp>
 #include <irg/core/vocabulary.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/shade/light.hpp>
 #include <irg/shade/material.hpp>
 #include <irg/spatial/triangle_bvh.hpp>
@@ -63,7 +64,7 @@ IRG_INLINE constexpr T scale_of(const vec<T, 3>& a, const vec<T, 3>& b) noexcept
   T largest = T(0);
   for (int axis = 0; axis < 3; ++axis) largest = greater(largest, greater(magnitude(a[axis]), magnitude(b[axis])));
   if (!(T(0) < largest && largest <= most)) return T(0);
-  return converted<T>(power_of_two_for(widened(greater(largest, least))));
+  return converted<T>(normalizing_power_of_two(widened(greater(largest, least))));
 }
 
 }  // namespace IRG_ABI

@@ -103,12 +103,12 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // Whether products of two entries are far from the ends of the range.
-template <class T>
+template <Floating T>
 constexpr bool has_ordinary_entries(const mat<T, 3, 3>& a) noexcept {
   constexpr T most = std::same_as<T, float> ? T(0x1p30f) : T(0x1p250);
   for (const auto& row : a.m)
     for (const T& entry : row)
-      if (entry != T(0) && !(T(1) / most <= entry_size(entry) && entry_size(entry) <= most)) return false;
+      if (entry != T(0) && !(T(1) / most <= magnitude(entry) && magnitude(entry) <= most)) return false;
   return true;
 }
 
@@ -134,7 +134,7 @@ constexpr mat<T, 3, 3> scaled_cofactors(const mat<T, 3, 3>& a) noexcept {
       for (const pair& p : {times(r + 1, c + 1, r + 2, c + 2), times(r + 1, c + 2, r + 2, c + 1)})
         largest = greater(largest, p.exponent), smallest = p.exponent == none ? smallest : lesser(smallest, p.exponent);
   if (least <= smallest && largest < aim) return cofactor_matrix(a);
-  return filled_mat<T, 3, 3>([&](int r, int c) {
+  return generate_mat<T, 3, 3>([&](int r, int c) {
     const auto value = [&](const pair& p) { return times_power_of_two(p.significand, p.exponent - largest + aim); };
     return converted<T>(value(times(r + 1, c + 1, r + 2, c + 2)) - value(times(r + 1, c + 2, r + 2, c + 1)));
   });
@@ -190,7 +190,7 @@ template <Floating T>
   for (auto& p : body.positions) p = transform_point(m, p);
   const mat<T, 3, 3> normals = normal_matrix(m);
   for (auto& n : body.normals) {
-    const auto s = detail::scaled(n);
+    const auto s = scaled_near_one(n);
     n = normalized(normals * vec<T, 3>{converted<T>(s.c[0]), converted<T>(s.c[1]), converted<T>(s.c[2])});
   }
   if (orientation_of(m) != map_orientation::reversing) return body;

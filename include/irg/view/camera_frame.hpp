@@ -89,9 +89,8 @@ template <Floating T>
                                                       handedness sense = handedness::right) noexcept {
   const auto row = [&](int r) { return vec<T, 3>{m(r, 0), m(r, 1), m(r, 2)}; };
   camera_frame<T> f{{}, row(0), row(1), sense == handedness::right ? -row(2) : row(2)};
-  f.position = generate_coordinates<point<T, 3>>([&](int c) {
-    return T(0) - detail::sum_of_products<3>([&](int r) { return m(r, c); }, [&](int r) { return m(r, 3); });
-  });
+  const auto column = [&](int c) { return vec<T, 3>{m(0, c), m(1, c), m(2, c)}; };
+  f.position = generate_coordinates<point<T, 3>>([&](int c) { return T(0) - dot(column(c), column(3)); });
   return f;
 }
 

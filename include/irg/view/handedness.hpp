@@ -30,15 +30,14 @@ template <class T>
 /// exact   the third column changes sign, nothing is rounded
 template <class T>
 [[nodiscard]] constexpr mat<T, 4, 4> from_other_handedness(const mat<T, 4, 4>& projection) noexcept {
-  return detail::filled_mat<T, 4, 4>(
-      [&](int r, int c) { return c == 2 ? T(T(0) - projection(r, c)) : projection(r, c); });
+  return generate_mat<T, 4, 4>([&](int r, int c) { return c == 2 ? T(T(0) - projection(r, c)) : projection(r, c); });
 }
 
 /// The same map of a space into itself, in coordinates of the other handedness. Rotations stay rotations.
 /// exact   entries change sign, nothing is rounded
 template <class T>
 [[nodiscard]] constexpr mat<T, 4, 4> in_other_handedness(const mat<T, 4, 4>& m) noexcept {
-  return detail::filled_mat<T, 4, 4>([&](int r, int c) { return (r == 2) != (c == 2) ? T(T(0) - m(r, c)) : m(r, c); });
+  return generate_mat<T, 4, 4>([&](int r, int c) { return (r == 2) != (c == 2) ? T(T(0) - m(r, c)) : m(r, c); });
 }
 
 }  // namespace IRG_ABI

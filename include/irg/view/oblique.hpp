@@ -76,7 +76,7 @@ template <Floating T>
     m(row, 2) = product(scale, slope);
     m(row, 3) = product(scale, shift) + m(row, 3);
   }
-  return detail::unless_infinite(m);
+  return checked_projection(m);
 }
 
 /// The oblique projection of a box; see oblique_checked.

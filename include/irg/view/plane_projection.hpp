@@ -51,8 +51,8 @@ template <class T>
 constexpr auto plane_projector_of(const T (&eye)[4], const T (&plane)[4]) noexcept {
   if constexpr (Floating<T>) {
     constexpr double up = 0x1p500;
-    const auto e = scaled(vec<T, 4>{eye[0], eye[1], eye[2], eye[3]});
-    const auto p = scaled(vec<T, 4>{plane[0], plane[1], plane[2], plane[3]});
+    const auto e = scaled_near_one(vec<T, 4>{eye[0], eye[1], eye[2], eye[3]});
+    const auto p = scaled_near_one(vec<T, 4>{plane[0], plane[1], plane[2], plane[3]});
     return plane_projector<double>{{e.c[0] * up, e.c[1] * up, e.c[2] * up, e.c[3] * up},
                                    {p.c[0] * up, p.c[1] * up, p.c[2] * up, p.c[3] * up}};
   } else {

@@ -33,6 +33,17 @@ enum class [[nodiscard]] projection_status {
   not_representable  // an entry of the matrix would overflow
 };
 
+inline namespace IRG_ABI {
+
+/// The matrix as a projection, or the identity and not_representable where an entry is NaN or infinite.
+template <Floating T>
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> checked_projection(const mat<T, 4, 4>& m) noexcept {
+  if (!is_finite(m)) return {identity<T, 4>(), projection_status::not_representable};
+  return {m, projection_status::ordinary};
+}
+
+}  // namespace IRG_ABI
+
 namespace detail {
 inline namespace IRG_ABI {
 
@@ -54,12 +65,6 @@ template <class T>
 constexpr T twice_quotient(T a, T b) noexcept {
   const T q = quotient(a, b);
   return magnitude(q) <= (std::numeric_limits<T>::max)() / 2 ? 2 * q : infinity<T>;
-}
-
-template <class T>
-constexpr checked<mat<T, 4, 4>, projection_status> unless_infinite(const mat<T, 4, 4>& m) noexcept {
-  if (!is_finite(m)) return refused<T>(projection_status::not_representable);
-  return {m, projection_status::ordinary};
 }
 
 // Two different numbers whose sum and difference are finite.
@@ -110,7 +115,7 @@ template <Floating T>
   const T y_scale = detail::quotient(T(1), tan(vertical_angle * T(0.5)));
   const T x_scale = y_scale <= largest ? detail::quotient(y_scale, aspect) : y_scale;
   const auto z = detail::depth_of_perspective(z_near, z_far, depth);
-  return detail::unless_infinite(
+  return checked_projection(
       mat<T, 4, 4>{{{x_scale, 0, 0, 0}, {0, y_scale, 0, 0}, {0, 0, z.scale, z.offset}, {0, 0, -1, 0}}});
 }
 
@@ -146,7 +151,7 @@ template <Floating T>
   if (!(T(0) < z_near && z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
   const T width = window.right - window.left, height = window.top - window.bottom;
   const auto z = detail::depth_of_perspective(z_near, z_far, depth);
-  return detail::unless_infinite(mat<T, 4, 4>{
+  return checked_projection(mat<T, 4, 4>{
       {{detail::twice_quotient(distance, width), 0, detail::quotient(window.left + window.right, width), 0},
        {0, detail::twice_quotient(distance, height), detail::quotient(window.bottom + window.top, height), 0},
        {0, 0, z.scale, z.offset},
@@ -181,7 +186,7 @@ template <Floating T>
   const T width = right - left, height = top - bottom, length = z_far - z_near;
   const bool reversed = depth == depth_range::reversed;
   const T z_scale = detail::quotient(T(1), length);
-  return detail::unless_infinite(
+  return checked_projection(
       mat<T, 4, 4>{{{detail::quotient(T(2), width), 0, 0, detail::quotient(T(0) - (right + left), width)},
                     {0, detail::quotient(T(2), height), 0, detail::quotient(T(0) - (top + bottom), height)},
                     {0, 0, reversed ? z_scale : -z_scale, detail::quotient(reversed ? z_far : T(0) - z_near, length)},

@@ -84,13 +84,6 @@ constexpr int side_of_cell(const plan_cell<T>& c, const point<T, 2>& a, const po
   return side;
 }
 
-// Whether p lies on the segment from a to b.
-// needs   a point of their line
-template <class T>
-constexpr bool is_within_ends(const point<T, 2>& a, const point<T, 2>& b, const point<T, 2>& p) noexcept {
-  return compare_lexicographic(a, p) * compare_lexicographic(p, b) >= 0;
-}
-
 // The side of ab on which the cell lies that has ab in one of its sides; 0 when it has not.
 template <class T>
 constexpr int side_of_wall(const plan_cell<T>& c, const point<T, 2>& a, const point<T, 2>& b) noexcept {
@@ -101,7 +94,7 @@ constexpr int side_of_wall(const plan_cell<T>& c, const point<T, 2>& a, const po
     if (first == nullptr || compare_lexicographic(p, *first) < 0) first = &p;
     if (last == nullptr || compare_lexicographic(p, *last) > 0) last = &p;
   }
-  if (first == nullptr || !is_within_ends(*first, *last, a) || !is_within_ends(*first, *last, b)) return 0;
+  if (first == nullptr || !is_between_ends(*first, *last, a) || !is_between_ends(*first, *last, b)) return 0;
   return side;
 }
 

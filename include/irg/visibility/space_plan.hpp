@@ -65,17 +65,24 @@ struct space_plan_finding {
   constexpr bool operator==(const space_plan_finding&) const = default;
 };
 
-namespace detail {
 inline namespace IRG_ABI {
 
-// Whether all points lie on one side of the plane of a ring, or in it; `side` is 1 for who sees it counter-clockwise.
+/// Whether all points lie on one side of the plane of a ring, or in it.
+/// shape   side is 1 for where the ring is seen counter-clockwise, -1 for the other side
+/// needs   three corners that are not on a line at the beginning of the ring; finite points
+/// exact   as orient3d
 template <Floating T>
-constexpr bool are_beside(const std::vector<point<T, 3>>& ring, std::span<const point<T, 3>> points,
-                          int side) noexcept {
+[[nodiscard]] constexpr bool are_on_side(std::span<const point<T, 3>> ring, std::span<const point<T, 3>> points,
+                                         int side) noexcept {
   for (const auto& p : points)
     if (orient3d(ring[0], ring[1], ring[2], p) == -side) return false;
   return true;
 }
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
 
 // A ring in two of its coordinates, in which its first three corners are not on a line; empty where there are none.
 template <Floating T>
@@ -142,8 +149,8 @@ private:
       if (ring.size() != face.size()) return face_without_area;
       if (const auto d = defect_of_ring<T>(ring, {face_without_area, face_not_flat, face_not_convex}); d != none)
         return d;
-      if (!are_beside<T>(ring, corners, -1)) return cell_not_convex;
-      if (are_beside<T>(ring, corners, 1)) return cell_without_volume;
+      if (!are_on_side<T>(ring, corners, -1)) return cell_not_convex;
+      if (are_on_side<T>(ring, corners, 1)) return cell_without_volume;
       for (std::size_t i = 0; i < face.size(); ++i) edges.push_back({face[i], face[i + 1 < face.size() ? i + 1 : 0]});
       ++face_;
     }
@@ -163,7 +170,7 @@ private:
     if (p.first == p.second) return portal_to_itself;
     if (const auto d = defect_of_ring<T>(p.ring, {portal_without_area, portal_not_flat, portal_not_convex}); d != none)
       return d;
-    if (!are_beside<T>(p.ring, plan_.cells[p.first], 1) || !are_beside<T>(p.ring, plan_.cells[p.second], -1))
+    if (!are_on_side<T>(p.ring, plan_.cells[p.first], 1) || !are_on_side<T>(p.ring, plan_.cells[p.second], -1))
       return cell_on_both_sides;
     return is_in_wall(p.first, p.ring) && is_in_wall(p.second, p.ring) ? none : portal_off_the_wall;
   }

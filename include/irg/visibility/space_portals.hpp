@@ -115,7 +115,7 @@ public:
   static constexpr bool face_each_other(const std::vector<const space_doorway<T>*>& passed,
                                         const space_doorway<T>& d) noexcept {
     for (const auto* before : passed)
-      if (are_beside<T>(before->ring, d.ring, 1) || are_beside<T>(d.ring, before->ring, -1)) return false;
+      if (are_on_side<T>(before->ring, d.ring, 1) || are_on_side<T>(d.ring, before->ring, -1)) return false;
     return true;
   }
   // Whether no door misses the hull of one before it and one after them all.

@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <irg/geometry/compare.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/visibility/cell_plan.hpp>
@@ -87,7 +88,7 @@ struct portal_walk {
     std::vector<std::uint32_t> out(1, cell);
     for (std::size_t i = 0; i < out.size(); ++i)
       for (const doorway<T>& d : graph.doors(out[i])) {
-        if (orient2d(d.right, d.left, eye) != 0 || !is_within_ends(d.right, d.left, eye)) continue;
+        if (orient2d(d.right, d.left, eye) != 0 || !is_between_ends(d.right, d.left, eye)) continue;
         bool known = false;
         for (const std::uint32_t c : out) known = known || c == d.to;
         if (!known) out.push_back(d.to);

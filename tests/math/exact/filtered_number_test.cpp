@@ -29,3 +29,20 @@ TEST_CASE("filtered_value_of: nothing where something could over- or underflow")
   CHECK_BOTH(!irg::filtered_value_of<2>(area, P{0, 0}, P{5e-324, 0}, P{1, 3}));
   CHECK_BOTH(!irg::filtered_value_of<2>(area, P{0, 0}, P{std::numeric_limits<double>::quiet_NaN(), 0}, P{1, 3}));
 }
+
+TEST_CASE("suits_filter: moderate numbers and zeros; of floats those that are not subnormal") {
+  CHECK_BOTH(irg::suits_filter<2>(0.0));
+  CHECK_BOTH(irg::suits_filter<2>(-0x1p-400));
+  CHECK_BOTH(!irg::suits_filter<2>(0x1p400));
+  CHECK_BOTH(!irg::suits_filter<2>(0x1.fffffffffffffp-401));
+  CHECK_BOTH(!irg::suits_filter<5>(std::numeric_limits<double>::quiet_NaN()));
+  CHECK_BOTH(irg::suits_filter<5>(0x1.fp129));
+  CHECK_BOTH(!irg::suits_filter<5>(0x1p130));
+  CHECK_BOTH(irg::suits_filter<2>(std::numeric_limits<float>::max()));
+  CHECK_BOTH(irg::suits_filter<2>(-0x1p-126f));
+  CHECK_BOTH(!irg::suits_filter<2>(0x1p-127f));
+  CHECK_BOTH(irg::suits_filter<2>(-0.0f));
+  CHECK_BOTH(!irg::suits_filter<9>(0x1p50f));
+  CHECK_BOTH(irg::suits_filter<9>(0x1p49f));
+  CHECK_BOTH(!irg::suits_filter<2>(std::numeric_limits<float>::infinity()));
+}

@@ -13,7 +13,7 @@ inline namespace IRG_ABI {
 // needs   finite vectors that are not zero
 template <Vector V>
 constexpr bool are_parallel(const V& a, const V& b) noexcept {
-  const auto x = scaled(a), y = scaled(b);
+  const auto x = scaled_near_one(a), y = scaled_near_one(b);
   for (int i = 0; i < size_of<V>; ++i)
     for (int j = 0; j < i; ++j)
       if (difference_of_products(x.c[i], y.c[j], x.c[j], y.c[i]) != 0) return false;

@@ -21,6 +21,8 @@ struct half_space {
   std::array<T, 4> numbers{};
 };
 
+using irg::in_numbers;  // of numbers and points, beside which stands that of half-spaces
+
 template <class N, class T, int D, class F>
 IRG_INLINE constexpr auto in_numbers(const half_space<T, D>& h, const F& number) noexcept {
   return half_space<std::remove_cvref_t<decltype(number(h.numbers[0]))>, D>{

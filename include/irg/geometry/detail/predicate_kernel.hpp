@@ -21,6 +21,7 @@
 #include <irg/core/scalar.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/exact_sum.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/wide_int.hpp>
 
 namespace irg::detail {
@@ -221,11 +222,11 @@ template <int M, int D>
 constexpr bool to_double_words(const point_table<double, M, D>& x, point_table<wide_int<2>, M, D>& integers) noexcept {
   int largest = 0;
   for (const double c : x.v) {
-    const integer_double part = integer_parts(c);
+    const integer_parts<double> part = integer_parts_of(c);
     if (part.significand != 0 && part.place > largest) largest = part.place;
   }
   for (int i = 0; i < M * D; ++i) {
-    const integer_double part = integer_parts(x.v[i]);
+    const integer_parts<double> part = integer_parts_of(x.v[i]);
     const int shift = part.place - largest + 72;  // 53 bits and these make 125
     const uint128 size = part.significand;
     if (part.significand == 0) continue;

@@ -54,10 +54,4 @@ constexpr int shoelace_sign(const P& polygon) noexcept {
     return twice < decltype(twice)(0) ? -1 : decltype(twice)(0) < twice ? 1 : 0;
 }
 
-// The double nearest to v * 2^shift.
-template <int N>
-constexpr double rounded_wide(const wide_int<N>& v, int shift) noexcept {
-  return nearest_double(v.word, {0, N}, shift);
-}
-
 }  // namespace irg::detail::inline IRG_ABI

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 
+#include <irg/math/float_bits.hpp>
 #include <irg/raster/face_order.hpp>
 
 namespace irg {
@@ -81,7 +82,7 @@ template <class Face, class Edge>
 constexpr depth_places places_of(const Face& f, const Edge& e) noexcept {
   depth_places places;
   const auto take = [&](float d) {
-    const float_parts x = parts_of(d);
+    const integer_parts<float> x = integer_parts_of(d);
     if (x.significand == 0) return;
     places.lowest = lesser(places.lowest, x.place);
     places.highest = greater(places.highest, x.place);
@@ -103,8 +104,7 @@ constexpr wide_int<N + 1> exact_nearness(const Terms& t, int lowest) noexcept {
   wide_int<N> depth[4];
   for (int i = 0; i < 4; ++i) {
     weight[i] = t.weight[i];
-    const float_parts x = parts_of(t.depth[i]);
-    if (x.significand != 0) depth[i] = shifted<N>(x, x.place - lowest);
+    depth[i] = depth_as_integer<N>(t.depth[i], lowest);
   }
   return weighted_nearness(weight, depth);
 }

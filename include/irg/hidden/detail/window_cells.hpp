@@ -63,10 +63,8 @@ template <int N, class Face>
 constexpr line_terms<N + 1> plane_coefficients(const Face& f, int lowest) noexcept {
   line_terms<N + 1> plane{};
   for (int i = 0; i < 3; ++i) {
-    const float_parts x = parts_of(f.depth[i]);
-    if (x.significand == 0) continue;
     const auto weight = side_coefficients(f, i == 2 ? 0 : i + 1);
-    const wide_int<N> depth = shifted<N>(x, x.place - lowest);
+    const wide_int<N> depth = depth_as_integer<N>(f.depth[i], lowest);
     plane.a += depth * weight.a;
     plane.b += depth * weight.b;
     plane.c += depth * weight.c;

@@ -14,6 +14,7 @@
 
 #include <irg/core/result.hpp>
 #include <irg/io/detail/obj_content.hpp>
+#include <irg/math/decimal_digit.hpp>
 
 namespace irg {
 
@@ -304,7 +305,7 @@ struct obj_reader {
     const char* const start = at;
     if (!is_letter(*at)) return fail(start, "expected a statement");
     for (; !at_token_end(); ++at)
-      if (!is_letter(*at) && !is_digit(*at) && *at != '_') return fail(start, "expected a statement");
+      if (!is_letter(*at) && !is_decimal_digit(*at) && *at != '_') return fail(start, "expected a statement");
     if (unused == obj_unused::refuse) return fail(start, "statement has no place in a mesh");
     rest_of_line();
     return true;

@@ -14,6 +14,7 @@
 
 #include <irg/core/config.hpp>
 #include <irg/io/detail/text_cursor.hpp>
+#include <irg/math/decimal_digit.hpp>
 #include <irg/mesh/part_name.hpp>
 
 namespace irg::detail {
@@ -89,7 +90,9 @@ inline constexpr std::size_t xml_depth = 32, xml_attributes = 32;
 constexpr bool begins_xml_name(char c) noexcept {
   return is_letter(c) || c == '_' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
-constexpr bool continues_xml_name(char c) noexcept { return begins_xml_name(c) || is_digit(c) || c == '-' || c == '.'; }
+constexpr bool continues_xml_name(char c) noexcept {
+  return begins_xml_name(c) || is_decimal_digit(c) || c == '-' || c == '.';
+}
 
 /// The character that a reference behind & stands for, and where the text goes on; 0 when it is none that is read: the
 /// five names of XML and numbers.
@@ -111,8 +114,8 @@ constexpr xml_reference reference_at(std::string_view text) noexcept {
   std::uint32_t c = 0;
   for (; at < text.size() && c < 0x110000; ++at) {
     const char d = text[at], lower = static_cast<char>(d | 0x20);
-    if (is_digit(d))
-      c = c * (hexadecimal ? 16 : 10) + digit_value(d);
+    if (is_decimal_digit(d))
+      c = c * (hexadecimal ? 16 : 10) + decimal_digit_value(d);
     else if (hexadecimal && lower >= 'a' && lower <= 'f')
       c = c * 16 + 10 + static_cast<std::uint32_t>(lower - 'a');
     else

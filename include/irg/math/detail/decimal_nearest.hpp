@@ -15,6 +15,7 @@
 #include <irg/core/config.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
+#include <irg/math/decimal_digit.hpp>
 #include <irg/math/detail/powers_of_five_table.hpp>
 #include <irg/math/int128.hpp>
 
@@ -139,9 +140,6 @@ IRG_INLINE constexpr std::uint64_t load_eight(const char* p) noexcept {
   return byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
 }
 
-constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
-constexpr unsigned digit_value(char c) noexcept { return static_cast<unsigned>(c - '0'); }
-
 /// Whether eight loaded bytes are digits: their upper halves are 3, also with 6 added.
 constexpr bool are_digits(std::uint64_t eight) noexcept {
   constexpr std::uint64_t upper = 0xf0f0f0f0f0f0f0f0u;
@@ -172,17 +170,17 @@ constexpr const char* scan_exponent(const char* p, const char* last, std::int64_
   const char* q = p + 1;
   const bool negative = q != last && *q == '-';
   if (q != last && (*q == '-' || *q == '+')) ++q;
-  if (q == last || !is_digit(*q)) return p;
+  if (q == last || !is_decimal_digit(*q)) return p;
   std::int64_t value = 0;
-  for (; q != last && is_digit(*q); ++q)
-    if (value < exponent_limit / 16) value = value * 10 + digit_value(*q);
+  for (; q != last && is_decimal_digit(*q); ++q)
+    if (value < exponent_limit / 16) value = value * 10 + decimal_digit_value(*q);
   exponent = negative ? -value : value;
   return q;
 }
 
 /// The digits at p, appended to the mantissa, which wraps when there are too many; returns their end.
 constexpr const char* scan_digits(const char* p, const char* last, std::uint64_t& mantissa) noexcept {
-  for (; p != last && is_digit(*p); ++p) mantissa = mantissa * 10 + digit_value(*p);
+  for (; p != last && is_decimal_digit(*p); ++p) mantissa = mantissa * 10 + decimal_digit_value(*p);
   return p;
 }
 
@@ -210,7 +208,7 @@ constexpr void cut_mantissa(decimal_text& text) noexcept {
   const char* p = skip_zeros(text.digits, text.digits_end);
   if (text.digits_end - p <= 19) return;
   for (; p != text.digits_end && mantissa < 1'000'000'000'000'000'000u; ++p)
-    if (*p != '.') mantissa = mantissa * 10 + digit_value(*p);
+    if (*p != '.') mantissa = mantissa * 10 + decimal_digit_value(*p);
   text.mantissa = mantissa;
   text.exponent += text.digits_end - p - (text.point != nullptr && text.point >= p ? 1 : 0);
   text.cut = skip_zeros(p, text.digits_end) != text.digits_end;
@@ -333,7 +331,7 @@ constexpr int load_digits(const decimal_text& text, int limit, natural& a) noexc
         continue;
       }
     }
-    if (*p != '.') append(digit_value(*p), 10, 1);
+    if (*p != '.') append(decimal_digit_value(*p), 10, 1);
     ++p;
   }
   if (skip_zeros(p, text.digits_end) != text.digits_end) append(1, 10, 1);

@@ -34,7 +34,7 @@ IRG_INLINE constexpr T nearest_result(T x, double result, const std::array<hard_
     for (const hard_float& h : hard)
       if ((S == symmetry::none ? x : magnitude(x)) == h.argument)
         return S == symmetry::odd && is_negative(x) ? -h.result : h.result;
-  return narrow<T>(result);
+  return narrowed<T>(result);
 }
 
 }  // namespace IRG_ABI

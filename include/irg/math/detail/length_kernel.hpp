@@ -30,7 +30,7 @@ IRG_INLINE constexpr float float_length(Ts... coordinates) noexcept {
   double sum = 0;
   ((sum = sum + widened(coordinates) * widened(coordinates)), ...);
   const double root = sqrt(sum);
-  const float length = std::is_constant_evaluated() ? narrow<float>(root) : converted<float>(root);
+  const float length = std::is_constant_evaluated() ? narrowed<float>(root) : converted<float>(root);
   return is_nan(sum) && has_infinity() ? infinity<float> : length;
 }
 
@@ -52,14 +52,6 @@ IRG_INLINE constexpr bool put_float_direction(const V& v, V& unit) noexcept {
   return has_direction;
 }
 
-/// The sum of the squares, each rounded, from left to right.
-template <class F, std::same_as<F>... Others>
-IRG_INLINE constexpr F sum_of_squares(const F& first, const Others&... others) noexcept {
-  F sum = product(first, first);
-  ((sum = sum + product(others, others)), ...);
-  return sum;
-}
-
 /// Whether the sum of squares that neither overflowed nor vanished may be this; not NaN.
 IRG_INLINE constexpr bool is_moderate_square(double sum) noexcept {
   constexpr std::uint64_t least = bits_of(0x1p-800), most = bits_of(0x1p1000);
@@ -69,6 +61,10 @@ IRG_INLINE constexpr bool is_moderate_square(double sum) noexcept {
 /// What rounds x to multiples of 2^-24 or 2^-25 of the root's power of two: (x + grid) - grid.
 IRG_INLINE constexpr double grid_below_root(double square) noexcept {
   return from_bits(((bits_of(square) >> 1) & exponent_of_grid) + offset_of_grid);
+}
+template <int N>
+IRG_INLINE pack<double, N> grid_below_root(const pack<double, N>& square) noexcept {
+  return bits_as<double>(((bits_as<std::uint64_t>(square) >> 1) & exponent_of_grid) + offset_of_grid);
 }
 
 /// The sum of the squares less that of the root, which is off by some last places.

@@ -75,35 +75,12 @@ IRG_INLINE constexpr unrounded unrounded_sqrt(const unrounded& x) noexcept {
   return {root, (residual(x.value, root, root) + x.error) / (2 * root)};
 }
 
-/// x as a number of type T; infinity when it is too large, without an overflow that constant evaluation refuses.
-template <Floating T>
-IRG_INLINE constexpr T narrow(double x) noexcept {
-  if constexpr (std::is_same_v<T, float>) {
-    constexpr double first_infinite = 0x1.ffffffp127;
-    if (magnitude(x) >= first_infinite) return x > 0 ? infinity<float> : -infinity<float>;
-  }
-  return converted<T>(x);
-}
-
 /// Whether every number within 2^-52 * Units of y's size rounds to the same float.
 /// needs   y is 0 or of a normal float's size
 template <int Units>
 IRG_INLINE constexpr bool rounds_to_one_float(double y) noexcept {
   constexpr std::uint64_t half = 0x10000000, all = 0x1fffffff, units = Units;
   return ((bits_of(y) - half + units) & all) > 2 * units;
-}
-
-/// The T nearest to x + rest, where rest is too small to change the double x.
-template <Floating T>
-constexpr T rounded_once(double x, double rest) noexcept {
-  if constexpr (std::is_same_v<T, double>) {
-    return x;
-  } else {
-    // An inexact double is made odd: the float nearest to it is then the one nearest to the sum.
-    const std::uint64_t bits = bits_of(x);
-    if (rest == 0 || x == 0 || (bits & 1) != 0) return narrow<T>(x);
-    return narrow<T>(from_bits((rest < 0) == (x < 0) ? bits + 1 : bits - 1));
-  }
 }
 
 /// The T nearest to an unrounded number; a float is rounded once.
@@ -157,7 +134,7 @@ IRG_NOINLINE constexpr T nearest_in_units(const unrounded& x, int e, const Side&
   } else if (magnitude(rest) > 0.5) {
     units = rest < 0 ? units - 1 : units + 1;
   }
-  return narrow<T>(number(units));
+  return narrowed<T>(number(units));
 }
 
 /// The T nearest to x * 2^e, ties to even, subnormal results too.

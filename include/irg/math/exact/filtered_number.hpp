@@ -8,8 +8,8 @@
 #include <optional>
 #include <type_traits>
 
+#include <irg/math/exact/in_numbers.hpp>
 #include <irg/math/float_bits.hpp>
-#include <irg/math/detail/polynomial_arguments.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -74,14 +74,18 @@ inline constexpr double polynomial_filter_bound = 0x1p-46;
 template <int Degree>
 inline constexpr int filter_reach = Degree <= 2 ? 400 : 900 / Degree - 50;
 
-// Whether polynomials of this degree in such numbers neither over- nor underflow, with subnormal numbers or with zeros
-// in their place. A float must not be subnormal: what makes a double of it may take it for zero.
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+/// Whether polynomials of this degree in such numbers neither over- nor underflow, so that a filter may compute them.
+/// gives   true for 0. False for floats that are subnormal: what makes a double of one may take it for zero
 template <int Degree>
-IRG_INLINE constexpr bool suits_filter(double x) noexcept {
-  return is_zero_or_within<-filter_reach<Degree>, filter_reach<Degree>>(x);
+[[nodiscard]] IRG_INLINE constexpr bool suits_filter(double x) noexcept {
+  return is_zero_or_within<-detail::filter_reach<Degree>, detail::filter_reach<Degree>>(x);
 }
 template <int Degree>
-IRG_INLINE constexpr bool suits_filter(float x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool suits_filter(float x) noexcept {
   constexpr std::uint32_t least_normal = std::uint32_t{1} << 24, infinite = std::uint32_t{255} << 24;
   const std::uint32_t size = std::bit_cast<std::uint32_t>(x) << 1;
   if constexpr (Degree <= 2)
@@ -90,10 +94,6 @@ IRG_INLINE constexpr bool suits_filter(float x) noexcept {
     return size - 1 >= least_normal - 1 && suits_filter<Degree>(widened(x));
 }
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
 /// polynomial(arguments...) in rounded numbers: off by at most 2^-46 of its size.
 /// shape   as sign_of takes it
 /// gives   nothing for numbers so large or small that something could over- or underflow, NaN and infinity among them
@@ -101,11 +101,10 @@ template <int Degree, class Polynomial, class... A>
   requires Floating<detail::argument_scalar<A...>>
 [[nodiscard]] IRG_INLINE constexpr auto filtered_value_of(const Polynomial& polynomial,
                                                           const A&... arguments) noexcept {
-  using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   bool suits = true;
   const auto input = [&](const T& x) IRG_INLINE_LAMBDA {
-    suits = suits && detail::suits_filter<Degree>(x);
+    suits = suits && suits_filter<Degree>(x);
     return filtered_input{widened(x)};
   };
   const auto value = [&](const auto&... x) IRG_INLINE_LAMBDA {

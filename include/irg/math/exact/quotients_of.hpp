@@ -78,7 +78,6 @@ namespace irg::inline IRG_ABI {
 template <int Degree, class Polynomials, class... A>
 [[nodiscard]] constexpr auto quotients_of(const Polynomials& polynomials, const A&... arguments) noexcept {
   static_assert(Degree >= 1 && Degree <= 5);
-  using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   if constexpr (Floating<T>) {
     bool suits = true;

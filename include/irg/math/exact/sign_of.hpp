@@ -37,7 +37,7 @@ IRG_INLINE constexpr int sign_beyond(double bound, double x, int otherwise) noex
 }
 
 // 2 where rounding leaves the sign open, in numbers that suit the filter.
-IRG_INLINE constexpr int filtered_sign(const filtered_number& x) noexcept {
+IRG_INLINE constexpr int sign_by_filter(const filtered_number& x) noexcept {
   return sign_beyond(polynomial_filter_bound * x.size, x.value, x.size == 0 ? 0 : 2);
 }
 
@@ -47,7 +47,7 @@ class filter_range {
 public:
   IRG_INLINE constexpr void include(T x) noexcept { suits_ = suits_ && suits_filter<Degree>(x); }
   [[nodiscard]] IRG_INLINE constexpr bool suits() const noexcept { return suits_; }
-  [[nodiscard]] IRG_INLINE static constexpr int sign_of(const filtered_number& x) noexcept { return filtered_sign(x); }
+  [[nodiscard]] IRG_INLINE static constexpr int sign_of(const filtered_number& x) noexcept { return sign_by_filter(x); }
 
 private:
   bool suits_ = true;
@@ -114,7 +114,7 @@ IRG_NOINLINE constexpr Signs unfiltered_sign(const Polynomial& polynomial, const
 template <int Degree, class Signs, class Values, class Polynomial, class... A>
 IRG_NOINLINE constexpr Signs sign_near_zero(const Values& values, const Polynomial& polynomial,
                                             const A&... arguments) noexcept {
-  const Signs all = for_numbers(values, [](const filtered_number& v) { return filtered_sign(v); });
+  const Signs all = for_numbers(values, [](const filtered_number& v) { return sign_by_filter(v); });
   if (are_sure(all)) {
     bool suits = true;
     const auto check = [&](const auto& x) {
@@ -145,7 +145,6 @@ template <int Degree, class Polynomial, class... A>
   requires(sizeof...(A) > 0)
 [[nodiscard]] IRG_INLINE constexpr auto sign_of(const Polynomial& polynomial, const A&... arguments) noexcept {
   static_assert(Degree >= 1 && Degree <= 9);
-  using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   if constexpr (Floating<T>) {
     detail::filter_range<T, Degree> range;

@@ -11,9 +11,9 @@
 #include <type_traits>
 #include <utility>
 
-#include <irg/math/detail/polynomial_arguments.hpp>
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/exact/big_float.hpp>
+#include <irg/math/exact/in_numbers.hpp>
 #include <irg/math/exact/scaled_double_double.hpp>
 #include <irg/math/vec.hpp>
 
@@ -43,7 +43,7 @@ template <int Degree, class Polynomial, class... A>
 [[nodiscard]] IRG_INLINE constexpr auto values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
   using T = detail::argument_scalar<A...>;
   if constexpr (std::is_integral_v<T>)
-    return std::optional(polynomial(detail::in_numbers<T>(arguments, [](const T& x) { return x; })...));
+    return std::optional(polynomial(in_numbers<T>(arguments, [](const T& x) { return x; })...));
   else
     return known_values_of<Degree>(polynomial, arguments...);
 }
@@ -134,7 +134,6 @@ inline namespace IRG_ABI {
 
 template <int Degree, class Polynomial, class... A>
 [[nodiscard]] constexpr auto known_values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
-  using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   if constexpr (Floating<T> || std::is_integral_v<T>) {
     static_assert(Degree >= 1 && Degree <= 6);

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <irg/math/sqrt.hpp>
-#include <irg/raster/detail/floor_division.hpp>
+#include <irg/math/floor_division.hpp>
 
 namespace irg {
 namespace detail {

@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include <irg/core/sinks.hpp>
-#include <irg/raster/detail/floor_division.hpp>
+#include <irg/math/floor_division.hpp>
 #include <irg/raster/line_style.hpp>
 #include <irg/raster/window.hpp>
 

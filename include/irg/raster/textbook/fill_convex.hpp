@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include <irg/core/ring.hpp>
-#include <irg/raster/detail/floor_division.hpp>
+#include <irg/math/floor_division.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/subpixel.hpp>

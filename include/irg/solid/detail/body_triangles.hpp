@@ -150,7 +150,7 @@ constexpr bool are_level(const Bodies& b, std::uint32_t s, std::uint32_t t) noex
   for (int k = 0; k < 3; ++k)
     if (orient3d(at(s, 0), at(s, 1), at(s, 2), at(t, k)) != 0) return false;
   const seen_triangle seen = see_triangle(b.positions, b.triangles[s], s);
-  return orientation_along(at(t, 0), at(t, 1), at(t, 2), seen.axis) == seen.turn;
+  return orientation_along(seen.axis, at(t, 0), at(t, 1), at(t, 2)) == seen.turn;
 }
 
 template <class M>

@@ -25,7 +25,7 @@ struct near_point {
 template <class Exact>
 constexpr int orientation_near(int axis, const point<double, 3>& a, const point<double, 3>& b,
                                const near_point<Exact>& at) {
-  const auto p = seen_along(a, axis), q = seen_along(b, axis), r = seen_along(at.rounded, axis);
+  const auto p = seen_along(axis, a), q = seen_along(axis, b), r = seen_along(axis, at.rounded);
   if (const int sign = sure_turn(p, q, r); sign != 0) return sign;
   return irg::orientation_along(axis, Exact(a), Exact(b), at.exact);
 }
@@ -58,7 +58,7 @@ constexpr int turn_of_cover(const std::vector<point<double, 3>>& positions, cons
   const seen_triangle s = see_triangle(positions, other, 0);
   for (int k = 0; k < 3; ++k)
     if (orientation_near(s.axis, *s.p[k], *s.p[(k + 1) % 3], p) * s.turn <= 0) return 0;
-  return s.turn * orientation_along(positions[own.v[0]], positions[own.v[1]], positions[own.v[2]], s.axis);
+  return s.turn * orientation_along(s.axis, positions[own.v[0]], positions[own.v[1]], positions[own.v[2]]);
 }
 
 }  // namespace IRG_ABI

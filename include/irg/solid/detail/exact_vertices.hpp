@@ -76,8 +76,8 @@ public:
 
   // orient2d of three of them, seen along an axis.
   constexpr int turn(std::uint32_t u, std::uint32_t v, std::uint32_t w, int axis) {
-    if (u < corners && v < corners && w < corners) return orientation_along(at[u], at[v], at[w], axis);
-    if (const int sign = sure_turn(seen_along(at[u], axis), seen_along(at[v], axis), seen_along(at[w], axis));
+    if (u < corners && v < corners && w < corners) return orientation_along(axis, at[u], at[v], at[w]);
+    if (const int sign = sure_turn(seen_along(axis, at[u]), seen_along(axis, at[v]), seen_along(axis, at[w]));
         sign != 0)
       return sign;
     return irg::orientation_along(axis, exact(u, 0), exact(v, 1), exact(w, 2));

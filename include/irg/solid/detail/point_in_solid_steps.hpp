@@ -51,7 +51,7 @@ IRG_INLINE constexpr int orientation_from_above(const P& a, const P& b, const P&
   const bool ax = coordinate(a, 0) == coordinate(p, 0), ay = coordinate(a, 1) == coordinate(p, 1);
   const bool bx = coordinate(b, 0) == coordinate(p, 0), by = coordinate(b, 1) == coordinate(p, 1);
   if ((ax && (ay || bx)) || (by && (ay || bx))) return 0;
-  return orientation_along(a, b, p, 2);
+  return orientation_along(2, a, b, p);
 }
 
 template <class P>

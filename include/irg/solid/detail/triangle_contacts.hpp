@@ -49,13 +49,13 @@ constexpr seen_triangle see_triangle(const std::vector<P>& points, const triangl
   seen_triangle s{{&points[t.v[0]], &points[t.v[1]], &points[t.v[2]]}, {t.v[0], t.v[1], t.v[2]}, number};
   double largest = -1;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto a = seen_along(*s.p[0], axis), b = seen_along(*s.p[1], axis), c = seen_along(*s.p[2], axis);
+    const auto a = seen_along(axis, *s.p[0]), b = seen_along(axis, *s.p[1]), c = seen_along(axis, *s.p[2]);
     const double area = magnitude((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
     if (area > largest) largest = area, s.axis = axis;
   }
-  s.turn = orientation_along(*s.p[0], *s.p[1], *s.p[2], s.axis);
+  s.turn = orientation_along(s.axis, *s.p[0], *s.p[1], *s.p[2]);
   for (int axis = 0; axis < 3 && s.turn == 0; ++axis)
-    s.turn = orientation_along(*s.p[0], *s.p[1], *s.p[2], s.axis = axis);
+    s.turn = orientation_along(s.axis = axis, *s.p[0], *s.p[1], *s.p[2]);
   return s;
 }
 
@@ -158,7 +158,7 @@ private:
       if (other.v[l] == mine.v[k]) return add(which, here, l);
     int sign[3]{};
     for (int l = 0; l < 3; ++l)
-      sign[l] = orientation_along(*other.p[l], *other.p[(l + 1) % 3], *mine.p[k], other.axis) * other.turn;
+      sign[l] = orientation_along(other.axis, *other.p[l], *other.p[(l + 1) % 3], *mine.p[k]) * other.turn;
     if (const std::uint8_t there = place_of(sign); there != off_triangle) add(which, here, there);
   }
 
@@ -181,7 +181,7 @@ private:
   constexpr void add_crossing(int k, int l) noexcept {
     const seen_triangle &a = *t_[0], &b = *t_[1];
     const auto turn = [&](const auto* p, const auto* q, const auto* r) {
-      return p == q || q == r || p == r ? 0 : orientation_along(*p, *q, *r, a.axis);
+      return p == q || q == r || p == r ? 0 : orientation_along(a.axis, *p, *q, *r);
     };
     const auto *p = a.p[k], *q = a.p[(k + 1) % 3], *r = b.p[l], *s = b.p[(l + 1) % 3];
     if (turn(p, q, r) * turn(p, q, s) < 0 && turn(r, s, p) * turn(r, s, q) < 0)

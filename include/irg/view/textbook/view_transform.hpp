@@ -41,16 +41,16 @@ inline namespace IRG_ABI {
 /// needs   an affine m: its last column is not read
 template <class T>
 [[nodiscard]] IRG_INLINE constexpr point<T, 3> transform_row(const point<T, 3>& p, const mat<T, 4, 4>& m) noexcept {
-  return generate_coordinates<point<T, 3>>([&](int c) {
-    return detail::sum_of_products<3>([&](int k) { return p[k]; }, [&](int k) { return m(k, c); }) + m(3, c);
-  });
+  const auto column = [&](int c) { return vec<T, 3>{m(0, c), m(1, c), m(2, c)}; };
+  return generate_coordinates<point<T, 3>>([&](int c) { return dot(to_vec(p), column(c)) + m(3, c); });
 }
 
 /// The homogeneous position [x y z w] * m.
 template <class T>
 [[nodiscard]] IRG_INLINE constexpr hpoint<T, 3> transform_row(const hpoint<T, 3>& p, const mat<T, 4, 4>& m) noexcept {
+  const vec<T, 4> row{p.x, p.y, p.z, p.w};
   return generate_coordinates<hpoint<T, 3>>(
-      [&](int c) { return detail::sum_of_products<4>([&](int k) { return p[k]; }, [&](int k) { return m(k, c); }); });
+      [&](int c) { return dot(row, vec<T, 4>{m(0, c), m(1, c), m(2, c), m(3, c)}); });
 }
 
 /// T1 (5.2): moves the eye into the origin.

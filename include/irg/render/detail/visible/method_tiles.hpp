@@ -114,7 +114,7 @@ struct method_tiles {
     const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
     const triangle_finder<T> find = job.finder();
     draw_counts counts;
-    const window_faces<T> faces(find, numbers);
+    const window_faces<T> faces = make_window_faces{}(find, numbers);
     const bool alone = bodies != nullptr && !numbers.empty() &&
                        bodies->is_one(find.source(numbers.front()), find.source(numbers.back()));
     if (alone) {

@@ -12,16 +12,16 @@
 #include <irg/core/scalar.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg::detail::inline IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// number(x), of the type that stands for a number as it came.
 template <class N, Scalar T, class F>
-IRG_INLINE constexpr auto in_numbers(const T& x, const F& number) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto in_numbers(const T& x, const F& number) noexcept {
   return number(x);
 }
-/// A vec or hpoint of N, a point or an array of numbers as they came.
+/// A vec or hpoint of N, a point or an array of numbers as they came: each coordinate through number(x).
 template <class N, Coordinates C, class F>
-IRG_INLINE constexpr auto in_numbers(const C& c, const F& number) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto in_numbers(const C& c, const F& number) noexcept {
   using input = std::remove_cvref_t<decltype(number(coordinate(c, 0)))>;
   constexpr int size = size_of<C>;
   constexpr coordinate_kind kind = coordinate_traits<C>::kind;
@@ -37,6 +37,10 @@ IRG_INLINE constexpr auto in_numbers(const C& c, const F& number) noexcept {
   else
     return make(std::type_identity<std::array<input, static_cast<std::size_t>(size)>>{});
 }
+
+}  // namespace irg::inline IRG_ABI
+
+namespace irg::detail::inline IRG_ABI {
 
 // The number type of an argument.
 template <class A>
