@@ -9,6 +9,7 @@
 #include <irg/core/config.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/exact/scaled_double_double.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/int128.hpp>
 
 namespace irg {
@@ -25,12 +26,9 @@ public:
   IRG_INLINE constexpr big_float() noexcept {}  // zero; the words beyond `size_` are never read
 
   IRG_INLINE constexpr explicit big_float(double x) noexcept {
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    const std::uint64_t fraction = bits & 0xfffffffffffffu;
-    const int field = static_cast<int>((bits >> 52) & 0x7ff);
-    const std::uint64_t significand = field == 0 ? fraction : fraction | (std::uint64_t{1} << 52);
-    const int lift = (field == 0 ? 1 : field) + 1152 - 1075;  // the last bit's exponent plus 18 * 64
-    negative_ = bits >> 63 != 0;
+    const auto [significand, place, negative] = integer_parts_of(x);
+    const int lift = place - 1074 + 18 * 64;  // the last bit's exponent, made positive
+    negative_ = negative;
     place_ = lift / 64 - 18;
     const int shift = lift % 64;
     put(significand << shift);
