@@ -45,7 +45,7 @@ inline namespace IRG_ABI {
 /// source  Hidden-surface slides; Fabris 2012, 2.2
 template <class Order, class Screen, class Depth, SpaceRing R>
   requires Floating<ring_scalar<R>>
-constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& b, const R& ring, const pixel_of<Screen>& v) {
+constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& out, const R& ring, const pixel_of<Screen>& v) {
   using T = ring_scalar<R>;
   T low = 1 << 30, high = -low;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
@@ -59,10 +59,10 @@ constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& b, const R& 
   const auto steps = plane ? plane_depth_steps(*plane) : std::nullopt;
   if (!steps) return true;
   depth_walk<T> walk(*steps);
-  return irg::convex_spans(flat_ring<R>(ring, 2), b.window, [&](const span_of_cells& s) {
+  return irg::convex_spans(flat_ring<R>(ring, 2), out.window, [&](const span_of_cells& s) {
     walk.start(s.x_first, s.y);
     for (int x = s.x_first; x < s.x_last; ++x, walk.next())
-      b.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(clamp(walk.value(), low, high)), v);
+      out.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(clamp(walk.value(), low, high)), v);
   });
 }
 
@@ -72,7 +72,7 @@ constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& b, const R& 
 /// gives   as zbuffer_polygon of the picture; false for numbers beyond 2^30, or a corner not in front of the eye: clip
 template <class Order, class Screen, class Depth, SpaceRing R>
   requires Floating<ring_scalar<R>>
-constexpr bool zbuffer_polygon_perspective(const zbuffer<Order, Screen, Depth>& b, const R& ring, ring_scalar<R> d,
+constexpr bool zbuffer_polygon_perspective(const zbuffer<Order, Screen, Depth>& out, const R& ring, ring_scalar<R> d,
                                            const pixel_of<Screen>& v, const point<ring_scalar<R>, 2>& axis = {}) {
   std::vector<point<ring_scalar<R>, 3>> picture;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
@@ -83,16 +83,16 @@ constexpr bool zbuffer_polygon_perspective(const zbuffer<Order, Screen, Depth>& 
     if (!(d > 0 ? w > 0 : d < 0 && w < 0)) return false;
     picture.push_back({product(coordinate(p, 0), d / w) + axis.x, product(coordinate(p, 1), d / w) + axis.y, 1 / w});
   }
-  return zbuffer_polygon(b, picture, v);
+  return zbuffer_polygon(out, picture, v);
 }
 
 /// Draws a face of a picture: the pixels and the depths, bit for bit, of draw_triangle and render.
 template <class Order, class Screen, class Depth>
-constexpr void zbuffer_face(const zbuffer<Order, Screen, Depth>& b, const screen_face& f, const pixel_of<Screen>& v) {
+constexpr void zbuffer_face(const zbuffer<Order, Screen, Depth>& out, const screen_face& f, const pixel_of<Screen>& v) {
   const triangle_setup setup = set_up_face(f);
-  covered_spans(f.coverage, b.window, [&](const span_of_cells& s) {
+  covered_spans(f.coverage, out.window, [&](const span_of_cells& s) {
     for (int x = s.x_first; x < s.x_last; ++x)
-      b.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(depth_at(setup, x, s.y)), v);
+      out.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(depth_at(setup, x, s.y)), v);
   });
 }
 
