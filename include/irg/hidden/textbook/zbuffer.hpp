@@ -45,13 +45,13 @@ inline namespace IRG_ABI {
 /// source  Hidden-surface slides; Fabris 2012, 2.2
 template <class Order, class Screen, class Depth, SpaceRing R>
   requires Floating<ring_scalar<R>>
-constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& buffers, const R& ring, const pixel_of<Screen>& v) {
+constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& out, const R& ring, const pixel_of<Screen>& v) {
   using T = ring_scalar<R>;
-  T low = T(0x1p30), high = -low;
+  T low = 1 << 30, high = -low;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const auto p = ring_vertex(ring, i);
-    for (int k = 0; k < 3; ++k)
-      if (!(T(-0x1p30) <= coordinate(p, k) && coordinate(p, k) <= T(0x1p30))) return false;
+    for (const T c : {coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)})
+      if (!(-(1 << 30) <= c && c <= 1 << 30)) return false;
     low = lesser(low, coordinate(p, 2));
     high = greater(high, coordinate(p, 2));
   }
@@ -59,40 +59,40 @@ constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& buffers, con
   const auto steps = plane ? plane_depth_steps(*plane) : std::nullopt;
   if (!steps) return true;
   depth_walk<T> walk(*steps);
-  return irg::convex_spans(flat_ring<R>(ring, 2), buffers.window, [&](const span_of_cells& s) {
+  return irg::convex_spans(flat_ring<R>(ring, 2), out.window, [&](const span_of_cells& s) {
     walk.start(s.x_first, s.y);
     for (int x = s.x_first; x < s.x_last; ++x, walk.next())
-      buffers.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(clamp(walk.value(), low, high)), v);
+      out.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(clamp(walk.value(), low, high)), v);
   });
 }
 
 /// Draws a convex polygon seen from (0, 0, d): its picture on the plane z = 0, with the depths 1/(d - z), which are
 /// linear there; the view's axis stands at pixel `axis`. z is d - 1/depth; clear to 1/(d - z) of the back plane.
 /// needs   nearer_is_greater with d > 0, nearer_is_less with d < 0
-/// gives   as zbuffer_polygon of the picture; false when a corner is not in front of the eye (clip first), within 2^30
+/// gives   as zbuffer_polygon of the picture; false for numbers beyond 2^30, or a corner not in front of the eye: clip
 template <class Order, class Screen, class Depth, SpaceRing R>
   requires Floating<ring_scalar<R>>
-constexpr bool zbuffer_polygon_perspective(const zbuffer<Order, Screen, Depth>& buffers, const R& ring,
-                                           const ring_scalar<R>& d, const pixel_of<Screen>& v,
-                                           const point<ring_scalar<R>, 2>& axis = {}) {
+constexpr bool zbuffer_polygon_perspective(const zbuffer<Order, Screen, Depth>& out, const R& ring, ring_scalar<R> d,
+                                           const pixel_of<Screen>& v, const point<ring_scalar<R>, 2>& axis = {}) {
   std::vector<point<ring_scalar<R>, 3>> picture;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const auto p = ring_vertex(ring, i);
+    for (const auto c : {coordinate(p, 0), coordinate(p, 1), coordinate(p, 2), d})
+      if (!(-(1 << 30) <= c && c <= 1 << 30)) return false;
     const auto w = d - coordinate(p, 2);
-    if (!(d > 0 ? 0 < w && w <= 1 << 30 : d < 0 && -(1 << 30) <= w && w < 0)) return false;
+    if (!(d > 0 ? w > 0 : d < 0 && w < 0)) return false;
     picture.push_back({product(coordinate(p, 0), d / w) + axis.x, product(coordinate(p, 1), d / w) + axis.y, 1 / w});
   }
-  return zbuffer_polygon(buffers, picture, v);
+  return zbuffer_polygon(out, picture, v);
 }
 
 /// Draws a face of a picture: the pixels and the depths, bit for bit, of draw_triangle and render.
 template <class Order, class Screen, class Depth>
-constexpr void zbuffer_face(const zbuffer<Order, Screen, Depth>& buffers, const screen_face& f,
-                            const pixel_of<Screen>& v) {
+constexpr void zbuffer_face(const zbuffer<Order, Screen, Depth>& out, const screen_face& f, const pixel_of<Screen>& v) {
   const triangle_setup setup = set_up_face(f);
-  covered_spans(f.coverage, buffers.window, [&](const span_of_cells& s) {
+  covered_spans(f.coverage, out.window, [&](const span_of_cells& s) {
     for (int x = s.x_first; x < s.x_last; ++x)
-      buffers.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(depth_at(setup, x, s.y)), v);
+      out.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(depth_at(setup, x, s.y)), v);
   });
 }
 
