@@ -24,11 +24,9 @@ constexpr double eye = 300, back = -620;
 template <class Order>
 void draw(const irg::textbook::zbuffer<Order, picture, irg::image<double>>& buffers, double away) {
   using P = irg::point<double, 3>;
-  const irg::picture_grid<double> about_axis{0.5 - width / 2, height / 2 - 0.5, 1, -1};
   const auto polygon = [&](auto ring, irg::rgba8 colour) {
-    for (P& p : ring) p.z *= away;
-    irg::textbook::zbuffer_polygon_perspective(buffers, ring, away * eye, colour,
-                                               {irg::textbook::depth_evaluation::plane, about_axis});
+    for (P& p : ring) p = {p.x, -p.y, away * p.z};  // rows run down
+    irg::textbook::zbuffer_polygon_perspective(buffers, ring, away * eye, colour, {width / 2, height / 2});
   };
   for (int i = 0; i < 10; ++i)
     for (int k = 0; k < 9; ++k) {
@@ -50,11 +48,11 @@ void draw(const irg::textbook::zbuffer<Order, picture, irg::image<double>>& buff
 inline picture forms() {
   constexpr int gap = 12;
   picture all(3 * width + 2 * gap, height, {255, 255, 255, 255});
-  const auto grey = [](const irg::image<double>& depth, double darkest, double brightest) {
+  const auto grey = [](const irg::image<double>& depth, double d, double darkest, double brightest) {
     picture p(width, height);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
-        const double t = 255 * (depth(x, y) - darkest) / (brightest - darkest);
+        const double t = 255 * (d - 1 / depth(x, y) - darkest) / (brightest - darkest);
         const auto v = static_cast<std::uint8_t>(std::lround(irg::clamp(t, 0.0, 255.0)));
         p(x, y) = {v, v, v, 255};
       }
@@ -63,14 +61,14 @@ inline picture forms() {
   picture screen(width, height);
   irg::image<double> depth(width, height);
   const irg::textbook::zbuffer toward{irg::nearer_is_greater{}, screen, depth};
-  toward.clear({120, 160, 196, 255}, back);
+  toward.clear({120, 160, 196, 255}, 1 / (eye - back));
   draw(toward, 1);
   paste(all, screen, 0, 0);
-  paste(all, grey(depth, back, 110), width + gap, 0);
+  paste(all, grey(depth, eye, back, 110), width + gap, 0);
   const irg::textbook::zbuffer distances{irg::nearer_is_less{}, screen, depth};
-  distances.clear({120, 160, 196, 255}, -back);
+  distances.clear({120, 160, 196, 255}, 1 / (back - eye));
   draw(distances, -1);
-  paste(all, grey(depth, -110, -back), 2 * (width + gap), 0);
+  paste(all, grey(depth, -eye, -110, -back), 2 * (width + gap), 0);
   return all;
 }
 

@@ -13,6 +13,7 @@
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/screen_mapping.hpp>
+#include <irg/render/textbook/pipeline.hpp>
 #include <irg/shade/shading.hpp>
 #include <irg/view/affine.hpp>
 #include <irg/view/camera_frame.hpp>
@@ -270,12 +271,36 @@ inline picture depths() {
 }
 
 // All of them, each with the name of its file.
+// The same body by the pipeline on one screen, each corner of a triangle in a colour of its own, and its depths.
+inline picture on_one_screen() {
+  picture p(width, height, paper), all(2 * width + 12, height, {255, 255, 255, 255});
+  irg::image<float> depth(width, height, 0.0f);
+  std::vector<point3> corners;
+  const body m = in_camera();
+  for (const irg::mesh_corner& c : m.corners) corners.push_back(m.positions[c.position]);
+  irg::textbook::draw_triangles(corners, projection(), p, depth, [](std::size_t, const auto& at) {
+    const auto channel = [&](float a, float b, float c) {
+      return static_cast<std::uint8_t>(60 + 190 * at.interpolate(a, b, c));
+    };
+    return irg::rgba8{channel(1, 0, 0), channel(0, 1, 0), channel(0, 0, 1), 255};
+  });
+  paste(all, p, 0, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto grey = static_cast<std::uint8_t>(255 * irg::lesser(depth(x, y), 1.0f));
+      p(x, y) = {grey, grey, grey, 255};
+    }
+  paste(all, p, width + 12, 0);
+  return all;
+}
+
 inline std::vector<std::pair<const char*, picture>> all() {
   return {{"stage_object", in_its_own_system()}, {"stage_world", in_the_world()},
           {"stage_camera", in_the_camera()},     {"stage_back_faces", without_back_faces()},
           {"stage_clipping", clipped_away()},    {"stage_projection", in_the_picture_plane()},
           {"stage_viewport", in_the_viewport()}, {"stage_shading", shaded()},
-          {"stage_zbuffer", with_depth()},       {"stage_depths", depths()}};
+          {"stage_zbuffer", with_depth()},       {"stage_depths", depths()},
+          {"pipeline_textbook", on_one_screen()}};
 }
 
 }  // namespace stages

@@ -10,6 +10,7 @@
 #include <irg/hidden/painter_newell.hpp>
 #include <irg/hidden/painter_once.hpp>
 #include <irg/hidden/textbook/depth_sort.hpp>
+#include <irg/hidden/textbook/newell_tests.hpp>
 #include <irg/hidden/textbook/painter.hpp>
 #include <irg/hidden/painter.hpp>
 #include <irg/hidden/bsp_faces.hpp>

@@ -41,11 +41,11 @@
 #include <irg/math/decimal.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/decimal_digit.hpp>
+#include <irg/math/exact/big_float.hpp>
 #include <irg/math/exact/compare_numbers.hpp>
-#include <irg/math/exact/exact_number.hpp>
 #include <irg/math/exact/filtered_number.hpp>
 #include <irg/math/exact/in_numbers.hpp>
-#include <irg/math/exact/known_number.hpp>
 #include <irg/math/exact/nearest_float.hpp>
+#include <irg/math/exact/scaled_double_double.hpp>
 #include <irg/math/float_bits.hpp>
 #include <irg/math/floor_division.hpp>

@@ -55,6 +55,4 @@
 #include <irg/raster/stroke_font.hpp>
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/triangle_setup.hpp>
-#include <irg/raster/vertex_lanes.hpp>
 #include <irg/raster/window.hpp>
-#include <irg/raster/window_coverage.hpp>

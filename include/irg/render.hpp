@@ -20,6 +20,7 @@
 #include <irg/render/scene_bsp.hpp>
 #include <irg/render/render_rooms.hpp>
 #include <irg/render/occlusion_culling.hpp>
+#include <irg/render/textbook/pipeline.hpp>
 #include <irg/render/wireframe.hpp>
 #include <irg/render/drawable.hpp>
 #include <irg/render/weight_derivatives.hpp>

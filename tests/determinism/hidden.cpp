@@ -19,7 +19,7 @@
 
 namespace {
 
-// Polygons in parallel projection and in perspective, depths by the plane and by steps, in floats and doubles.
+// Polygons in parallel projection and in perspective, in floats and doubles.
 template <class T>
 constexpr std::uint64_t textbook_buffers(int rounds) {
   using P = irg::point<T, 3>;
@@ -37,11 +37,10 @@ constexpr std::uint64_t textbook_buffers(int rounds) {
     };
     if (i % 4 == 0) buffers.clear(-1, T(-1000));
     const P a = corner(), b = corner(), c = corner();
-    const auto how = i % 2 ? irg::textbook::depth_evaluation::steps : irg::textbook::depth_evaluation::plane;
     if (i % 4 < 2)
-      irg::textbook::zbuffer_polygon(buffers, std::array{a, b, c}, i, {how});
+      irg::textbook::zbuffer_polygon(buffers, std::array{a, b, c}, i);
     else
-      irg::textbook::zbuffer_polygon_perspective(buffers, std::array{a, b, c}, T(20), i, {how});
+      irg::textbook::zbuffer_polygon_perspective(buffers, std::array{a, b, c}, T(20), i);
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {
         h.add(ids(x, y));

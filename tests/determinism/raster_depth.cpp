@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/raster/depth_format.hpp>
 #include <irg/raster/face_order.hpp>
-#include <irg/raster/window_coverage.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 
 #include "hashes.hpp"
 

@@ -10,6 +10,8 @@
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/render/textbook/pipeline.hpp>
+#include <irg/view/projection.hpp>
 
 #include "../../examples/studio/studio_picture.hpp"
 #include "hashes.hpp"
@@ -66,6 +68,36 @@ HASHED(render_flat, 1, 5);
 HASHED(render_gouraud, 1, 5);
 HASHED(render_gouraud_float, 1, 5);
 HASHED(render_phong, 1, 5);
+
+// Triangles in disorder by the pipeline on one screen.
+constexpr std::uint64_t render_textbook(int rounds) {
+  determinism::hasher h;
+  test::random r(64);
+  for (int i = 0; i < rounds; ++i) {
+    const int size = rounds < 10 ? 6 : 40;
+    std::vector<irg::point<double, 3>> corners;
+    for (int k = 0; k < 12; ++k) {
+      const double x = irg::product(r.unit() - 0.5, 8.0), y = irg::product(r.unit() - 0.5, 8.0);
+      corners.push_back({x, y, -1 - irg::product(r.unit(), 5.0)});
+    }
+    irg::image<irg::rgba8> picture(size, size);
+    irg::image<float> depth(size, size, 0.0f);
+    irg::textbook::draw_triangles(corners, irg::perspective(1.25, 1.0, 0.5, 9.0), picture, depth,
+                                  [](std::size_t n, const irg::pixel_weights<float>& at) {
+                                    const auto channel = [](float v) { return static_cast<std::uint8_t>(v); };
+                                    return irg::rgba8{channel(irg::product(at.weight1, 255.0f)),
+                                                      channel(irg::product(at.weight2, 255.0f)),
+                                                      static_cast<std::uint8_t>(n), 255};
+                                  });
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        h.add(picture(x, y));
+        h.add(depth(x, y));
+      }
+  }
+  return h.value();
+}
+HASHED(render_textbook, 2, 300);
 
 // Light scaled into the display's range.
 constexpr std::uint64_t render_rescaled(int rounds) {

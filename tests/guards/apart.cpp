@@ -16,7 +16,7 @@ template class irg::basic_exact_point<>;
 template class irg::bsp_scene_painter<double>;
 template class irg::bsp_tree_2d<double>;
 template class irg::bsp_tree_3d<double>;
-template class irg::dyadic<103>;
+template class irg::big_float<3>;
 template struct irg::fixed_point<4>;
 template struct irg::frustum<double>;
 template class irg::matrix<double>;

@@ -66,7 +66,8 @@ struct textbook_method {
   void operator()(const Faces& faces, const irg::cell_window& window, irg::image<std::uint32_t>& ids,
                   irg::draw_counts&) const {
     irg::image<float> depth(window.x_last, window.y_last, irg::nearer_is_greater::farthest);
-    const auto buffers = irg::textbook::zbuffer{irg::nearer_is_greater{}, ids, depth}.within(window);
+    irg::textbook::zbuffer buffers{irg::nearer_is_greater{}, ids, depth};
+    buffers.window = window;
     std::vector<irg::screen_face> all;
     for (std::size_t i = 0; i < faces.size(); ++i) {
       all.push_back(faces[i]);

@@ -9,8 +9,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // linear_to_srgb8 for each lane, in bits 16 to 23; those above are zero, those below anything.
 template <int N>
@@ -23,8 +22,7 @@ IRG_INLINE pack<std::int32_t, N> srgb_codes_of(const pack<float, N>& light) noex
   return entry + (bits & 0xffff);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -12,8 +12,7 @@
 #include <cstdlib>
 #endif
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 #ifdef NDEBUG
 // Not constexpr: reaching this call makes the expression no constant, which is the compile error that is wanted.
@@ -25,8 +24,7 @@ inline void precondition_broken() noexcept {}
 }
 #endif
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
 #ifdef NDEBUG
 #define IRG_EXPECTS(...) \

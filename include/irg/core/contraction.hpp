@@ -54,8 +54,7 @@
 #define IRG_FUSES_WITH_ZERO 0
 #endif
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The value, unchanged, as something the optimiser may not look into: no operation on either side can be fused or
 /// regrouped across it.
@@ -103,5 +102,4 @@ template <class T>
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -14,8 +14,7 @@
 #define IRG_HIDES_CONVERSIONS 1
 #endif
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// x as a number of type To, rounded here if it is rounded at all.
 /// needs   x within To's range where this is a constant expression
@@ -38,5 +37,4 @@ template <class T>
   return converted<double>(x);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

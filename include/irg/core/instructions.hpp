@@ -11,8 +11,7 @@
 #include <irg/core/lane_integers.hpp>
 #include <irg/core/pack.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// |x| by clearing the sign bit.
 #if defined(__GNUC__)  // stays in the floating-point registers, where g++ takes the bits through others
@@ -138,5 +137,4 @@ template <std::floating_point T, int N>
 #endif
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -9,8 +9,7 @@
 
 #include <irg/core/lanes.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The coordinates of N triples, a lane each.
 template <class T, int N>
@@ -163,5 +162,4 @@ IRG_INLINE void store_quadruples(void* to, const quadruple_lanes<N>& q) noexcept
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -14,8 +14,7 @@
 #include <irg/core/ring.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The highest bit is set when x is NaN or infinite: its exponent, all ones, carries into the sign.
 template <Floating T>
@@ -30,8 +29,7 @@ IRG_INLINE constexpr std::uint64_t not_finite_bit(const P& p) noexcept {
   return bits;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

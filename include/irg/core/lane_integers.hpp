@@ -10,8 +10,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/pack.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 template <std::integral T, int N>
 [[nodiscard]] IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, const pack<T, N>& b) noexcept {
@@ -160,5 +159,4 @@ template <int N>
 #endif
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

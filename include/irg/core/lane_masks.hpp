@@ -11,8 +11,7 @@
 #include <irg/core/lane_shuffles.hpp>
 #include <irg/core/pack.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 namespace lanes_detail {
 
@@ -269,5 +268,4 @@ template <class F>
   return lanes_detail::folded(x, [](const auto& a, const auto& b) { return a + b; });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -10,8 +10,7 @@
 #include <irg/core/lane_shuffles.hpp>
 #include <irg/core/pack.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The T that stands index[i] * 4 bytes behind base, in lane i.
 /// needs   a T of four bytes
@@ -187,5 +186,4 @@ IRG_INLINE int store_compressed(T* to, const pack<T, N>& from, unsigned bits) no
   return n;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

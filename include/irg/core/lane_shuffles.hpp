@@ -7,8 +7,7 @@
 
 #include <irg/core/pack.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The lanes J, in this order, of a and b, one behind the other.
 template <int... J, class T, int N>
@@ -84,5 +83,4 @@ template <int M, class T, int N>
   return shuffled_by<M>(p, [](int i) { return i % N; });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -8,8 +8,7 @@
 
 #include <irg/core/pack.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 namespace lanes_detail {
 
@@ -89,5 +88,4 @@ IRG_INLINE constexpr void store_relaxed(std::uint8_t& to, std::uint8_t x) noexce
 #endif
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

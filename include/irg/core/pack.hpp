@@ -17,8 +17,7 @@
 #define IRG_LANES_VECTOR 1
 #endif
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Whether packs are registers. Where they are arrays, kernels run all the same, but one that has a plain form, too,
 /// may be slower than that.
@@ -258,5 +257,4 @@ template <class T, int N>
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x) { r = -x; }, a);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -9,8 +9,7 @@
 #include <irg/core/lane_shuffles.hpp>
 #include <irg/core/pack.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// N integers below 2^53, held exactly by doubles in two registers: for what leaves 32 bits. Nothing is rounded, so
 /// nothing has to be guarded against contraction.
@@ -64,5 +63,4 @@ struct lanes<wide_pack<N>> {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -24,8 +24,7 @@ struct arc_length_table {
   [[nodiscard]] IRG_APART constexpr T length() const noexcept { return lengths[lengths.size() - 1]; }
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// Gauss and Legendre's rule of seven places: exact for polynomials up to degree 13.
 template <Floating T, class F>
@@ -76,8 +75,7 @@ constexpr T place_of_length(const Speed& speed, const Length& length_to, const w
   return t;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

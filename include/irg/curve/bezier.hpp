@@ -100,8 +100,7 @@ template <Real T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// (1 - t)*a + t*b; exactly a for t = 0 and b for t = 1, whatever the other is.
 template <Coordinates P>
@@ -136,8 +135,7 @@ constexpr std::span<control_point<R>> copied(const R& points, std::span<control_
   return scratch.first(n);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -10,8 +10,7 @@
 #include <irg/curve/bezier.hpp>
 #include <irg/math/error_free.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// A parameter t and 1 - t in two parts.
 template <Floating T>
@@ -30,11 +29,9 @@ IRG_INLINE constexpr exact_sum<T> compensated_blend(const exact_sum<T>& a, const
   return {sum.value, made + (product(at.rest.value, a.error) + product(at.t, b.error))};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The point of the Bezier curve at t, as if computed in twice the precision.
 /// needs   one or more finite control points, 0 <= t <= 1; scratch as long as points, its contents are lost
@@ -72,5 +69,4 @@ template <FixedControlPoints R>
   return bezier_point_accurate(points, t, scratch);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

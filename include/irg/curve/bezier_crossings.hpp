@@ -40,8 +40,7 @@ struct meeting_search {
 /// parameter's smallest step reached; or more of them than there was room for, the last one holding the rest.
 enum class meetings_found { within_tolerance, wide, too_many };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Stretch k of 2^level of a curve: its control points, and how far rounding may have moved them.
 template <ControlPoints R>
@@ -157,8 +156,7 @@ struct meeting_list {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -8,8 +8,7 @@
 #include <irg/curve/bezier.hpp>
 #include <irg/math/length.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The control vectors of the derivative (hodograph), a Bezier curve of one degree less; again for the second one.
 /// shape   vectors[i] is the degree times the difference of points i + 1 and i; a single point has one vector, zero
@@ -84,5 +83,4 @@ constexpr scalar_of<detail::control_point<R>> bezier_reduce(const R& points,
   return farthest;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -10,8 +10,7 @@
 #include <irg/curve/bezier.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The forward differences at 0, of steps of 1/n, of the curve: by its coefficients in powers of k, then in products
 // k (k - 1) (k - 2) ..., whose i-th is the i-th difference over i!.
@@ -41,8 +40,7 @@ constexpr void fill_forward_differences(const R& points, int n, std::span<contro
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

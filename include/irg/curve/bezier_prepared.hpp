@@ -21,8 +21,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // How many coefficients of an expansion count, by fours: the k-th is at most 1/k! of the largest control point.
 template <Floating T>
@@ -31,8 +30,7 @@ constexpr std::size_t expansion_size(std::size_t count) noexcept {
   return count < most ? (count + 3) / 4 * 4 : most;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// A Bezier curve of points P ready for many points; it refers to your space, which prepare_bezier fills.
 template <CurvePoint P>

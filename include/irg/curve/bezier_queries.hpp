@@ -29,8 +29,7 @@ struct nearest_place {
   bool operator==(const nearest_place&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T>
 constexpr T half_ulp_of_one = std::numeric_limits<T>::epsilon() / 2;
@@ -91,8 +90,7 @@ constexpr T foot_coefficients(const R& points, const control_point<R>& p, std::s
                  half_ulp_of_one<T> + std::numeric_limits<T>::denorm_min() / largest);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -45,8 +45,7 @@ struct surface_sample {
   bool operator==(const surface_sample&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The sample from the two chords along u of every column, or from one row twice for degree 0 along u. Both are lost.
 template <CurvePoint P>
@@ -70,8 +69,7 @@ constexpr surface_sample<P> sample_of_chords(std::span<P> first_row, std::span<P
           scaled_difference(u_near, u_far, degree_v), scaled_difference(at_near, at_far, degree_u)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -27,8 +27,7 @@ struct zero_stretch {
   constexpr bool operator==(const zero_stretch&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Coefficients of one stretch, and how far rounding may have moved each value.
 template <Floating T>
@@ -91,8 +90,7 @@ struct zero_collector {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

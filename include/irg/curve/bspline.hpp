@@ -48,8 +48,7 @@ struct bspline_values {
   std::array<T, static_cast<std::size_t>(Degree) + 1> value{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <int Degree>
 struct knots_degree {
@@ -61,8 +60,7 @@ struct knots_degree<degree_at_run_time> {
   constexpr int degree() const noexcept { return degree_at_hand; }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -29,8 +29,7 @@ enum class fit_ends { through, free };
 /// place), `not_finite` where a number is not finite, be it given or one of a control point.
 enum class [[nodiscard]] bspline_fit_status { done, not_rising, undetermined, not_finite };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Whether basis function i is not zero at t.
 template <Floating T, int Degree>
@@ -187,8 +186,7 @@ constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degre
   return fit;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

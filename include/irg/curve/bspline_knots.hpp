@@ -40,8 +40,7 @@ constexpr knots_error insert_knots(const bspline_knots<T, Degree>& knots,
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Whether `fine` has every knot of `coarse` at least as often, and others only between first() and last().
 template <Floating T, int Degree, int OtherDegree>
@@ -105,8 +104,7 @@ constexpr std::size_t fill_piece_shares(V& value, const bspline_knots<T, Degree>
   return at - degree;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -36,8 +36,7 @@ struct surface_piece {
   control_net<P> net{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <CurvePoint P, int U, int V>
 constexpr bool is_in_range(const bspline_surface<P, U, V>& s, const scalar_of<P>& u, const scalar_of<P>& v) noexcept {
@@ -67,8 +66,7 @@ constexpr std::optional<std::size_t> border_at(const bspline_knots<T, Degree>& k
   return std::nullopt;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

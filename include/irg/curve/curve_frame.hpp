@@ -19,8 +19,7 @@ struct curve_frame {
   bool operator==(const curve_frame&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Vector V>
 IRG_INLINE constexpr V plus_scaled(const V& a, scalar_of<V> factor, const V& b) noexcept {
@@ -35,8 +34,7 @@ constexpr std::optional<curve_frame<V>> frame_towards(const V& tangent, const V&
   return curve_frame<V>{tangent, normalized(cross(*binormal, tangent)), *binormal};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

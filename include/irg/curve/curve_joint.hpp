@@ -17,8 +17,7 @@ namespace irg {
 /// first derivative (C1); with the same first and second one (C2).
 enum class curve_joint { apart, position, direction, first_derivative, second_derivative };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The control points about a joint: those of the first curve backwards from its end, those of the second forwards; a
 // curve with fewer points has its last one again, as long as the degree's factor is zero.
@@ -92,8 +91,7 @@ constexpr bool same_direction(const A& a, const B& b) noexcept {
              all) > 0;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

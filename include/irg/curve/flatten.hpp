@@ -20,8 +20,7 @@ struct flattening {
   constexpr bool operator==(const flattening&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// A bound of how far the curve of these control points is from its chord: degree (degree - 1) / 8 times the largest
 /// second difference; of these only what is across the chord, where no control point lies beyond the chord's ends.
@@ -87,8 +86,7 @@ constexpr void each_longest_stretch(int end, int parts, const IsWithin& is_withi
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -21,8 +21,7 @@ struct keyframe {
   P place = zero_coordinates<P>();
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// A third of the way that the velocity at frames[k] leads in `span` of time: the velocity of the parabola through the
 /// frame and its two neighbours; at either end, that of the straight line to the only neighbour.
@@ -46,8 +45,7 @@ constexpr typename curve_sample<P>::vector third_of_way(std::span<const keyframe
   });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -13,8 +13,7 @@
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/rational.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The net of the surface that a curve of (radius, height) sweeps when it turns once round the y axis, from x towards
 /// -z (right-handed). 9 rows; the first 3, 5 or 7 are a quarter, a half or three quarters of it.
@@ -89,5 +88,4 @@ constexpr void section_row(const curve_frame<vec<T, 3>>& frame, const std::type_
     });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

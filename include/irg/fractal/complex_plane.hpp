@@ -11,7 +11,7 @@ namespace irg {
 
 /// Where in a pixel its number lies.
 enum class plane_sampling {
-  inclusive,  // the first and last column are the borders themselves: width - 1 steps (the university course)
+  inclusive,  // the first and last column are the borders themselves: width - 1 steps (the lecture's)
   centres     // the pixel's centre: width steps
 };
 

@@ -21,8 +21,7 @@ struct escape_distance {
   constexpr bool operator==(const escape_distance&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The larger of |x| and |y|.
 template <class T>
@@ -75,8 +74,7 @@ constexpr escape_distance<T> distance_of_orbit(const distance_orbit<T>& begin, c
   return {limit.most, T(0), T(0)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

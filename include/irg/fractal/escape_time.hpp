@@ -38,8 +38,7 @@ struct escape_end {
   constexpr bool operator==(const escape_end&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The number after and before x >= 0 (before: x > 0).
 template <class T>
@@ -54,8 +53,7 @@ IRG_INLINE constexpr F squared_size(const F& x, const F& y) noexcept {
   return product(x, x) + product(y, y);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -13,7 +13,7 @@ inline namespace IRG_ABI {
 
 /// How many steps the orbit of z under z^2 + c takes.
 /// gives   the same for z and -z; 0 for NaN
-/// exact   in floats as they come: the course's loop in doubles, never contracted
+/// exact   in floats as they come: the lecture's loop in doubles, never contracted
 /// source  Julia 1918; Mihajlovic 2016, chapter 8
 template <Floating T>
 [[nodiscard]] constexpr int julia_count(const point<T, 2>& z, const point<T, 2>& c,

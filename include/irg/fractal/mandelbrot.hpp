@@ -20,8 +20,7 @@ struct square_plus {
 /// Parts of the Mandelbrot set whose points are known to stay bounded: c within them needs no orbit.
 enum class mandelbrot_part { cardioid, disc, elsewhere };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // How far inside its border a point of the cardioid or of the disc has to be to be told by a formula: rounding, of the
 // formula and of the orbit, is far less.
@@ -44,8 +43,7 @@ IRG_INLINE constexpr F outside_disc(const F& x, const F& y) noexcept {
   return product(a, a) + product(y, y) - f::broadcast(T(0.0625));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -60,7 +58,7 @@ template <Floating T>
 
 /// How many steps the orbit of 0 under z^2 + c takes: `most` for the numbers of the set, and a few more.
 /// gives   0 for NaN
-/// exact   in floats as they come: the course's loop in doubles, never contracted
+/// exact   in floats as they come: the lecture's loop in doubles, never contracted
 /// source  Mandelbrot 1980; Mihajlovic 2016, chapter 8
 template <Floating T>
 [[nodiscard]] constexpr int mandelbrot_count(const point<T, 2>& c, const escape_limit<T>& limit) noexcept {

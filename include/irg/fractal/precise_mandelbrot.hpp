@@ -36,8 +36,7 @@ struct precise_escape_stats {
   constexpr bool operator==(const precise_escape_stats&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The square of 2^20, the largest radius that orbits in fixed_points are compared with.
 inline constexpr double largest_fixed_square = 0x1p40;
@@ -82,8 +81,7 @@ constexpr fixed_point<more_digits> fixed_of(const T& v) noexcept {
   return fixed_point<more_digits>(v.high) + fixed_point<more_digits>(v.low);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

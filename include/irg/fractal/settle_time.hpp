@@ -5,8 +5,7 @@
 
 #include <irg/fractal/escape_time.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The orbit of z under a map until a step is no longer than `rest`, or it has taken so many steps.
 /// shape   `count` the steps before the one that was short, `z` where that led
@@ -25,5 +24,4 @@ template <Floating T, ComplexMap<T> F>
   return {most < 0 ? 0 : most, z};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Barycentric coordinates: the weights t1, t2, t3 of the corners A, B, C of a triangle whose weighted sum is a point T.
 // In the plane and in space they exist for every triangle with an area; in space T is seen along a coordinate axis, or
-// at right angles to the plane. The course's own methods, the inverse of the matrix [A B C] and the replacement of one
+// at right angles to the plane. The lecture's own methods, the inverse of the matrix [A B C] and the replacement of one
 // of its rows, stand in textbook/barycentric.hpp.
 #pragma once
 
@@ -27,8 +27,7 @@ struct triangle_location {
   friend constexpr bool operator==(const triangle_location&, const triangle_location&) = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The other two axes in cyclic order, so that areas seen along `axis` keep their sign.
 struct plane_axes {
@@ -151,8 +150,7 @@ constexpr triangle_part part_in(plane_axes k, const P& a, const P& b, const P& c
   return zeros == 0 ? triangle_part::inside : zeros == 1 ? triangle_part::edge : triangle_part::vertex;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -10,8 +10,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // An end on its way: on which side of the window it is along each axis, and the boundary that it was moved to. There
 // its other coordinate is rounded; its place is that of the exact one.
@@ -36,8 +35,7 @@ constexpr moving_end moved_to(const P& a, const P& b, const box<scalar_of<P>, 2>
   return end;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -11,8 +11,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The segment's part inside of n half-spaces: boundary(i) is the i-th.
 template <class T, int D, Point P, class Boundary>
@@ -32,8 +31,7 @@ constexpr std::optional<clipped_line<P>> clip_by_half_spaces(const P& a, const P
   return clipped_line<P>{first.at, second.at, first.t, second.t < first.t ? first.t : second.t};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

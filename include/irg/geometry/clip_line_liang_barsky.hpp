@@ -9,8 +9,7 @@
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/detail/line_window.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The part of the segment from a to b that lies in the window, in any number of dimensions; the window's boundary
 /// belongs to it.
@@ -46,5 +45,4 @@ template <Point P>
 
 IRG_REFUSES_VECTORS(clip_line_liang_barsky);
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -8,8 +8,7 @@
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/detail/line_window.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The part of the segment from a to b that lies in the window.
 /// gives   as clip_line_liang_barsky, bit for bit
@@ -47,5 +46,4 @@ template <Point P>
 
 IRG_REFUSES_VECTORS(clip_line_nicholl_lee_nicholl);
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -41,8 +41,7 @@ struct point_pair {
   scalar_of<P> t{}, s{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Point P>
 constexpr point_on_line<P> nearest_of_segment(const P& a, const P& b, const P& p) noexcept {
@@ -53,8 +52,7 @@ constexpr point_on_line<P> nearest_of_segment(const P& a, const P& b, const P& p
   return {point_of_foot(a, b, p), rounded_to<T>(foot->t / foot->divisor)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -6,8 +6,7 @@
 #include <irg/math/exact/compare_numbers.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// -1 when p comes before q by its first coordinate, or by the first that differs; 1 when it comes after q; 0 when they
 /// are equal.
@@ -58,5 +57,4 @@ IRG_REFUSES_VECTORS(compare_lexicographic);
 IRG_REFUSES_VECTORS(is_between_ends);
 IRG_REFUSES_VECTORS(order_along_line);
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

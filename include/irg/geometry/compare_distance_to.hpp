@@ -7,8 +7,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/plane.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// -1 when p is nearer to the line through a and b than q is, 1 when q is nearer, 0 when they are equally far, on the
 /// same side or on opposite ones.
@@ -58,5 +57,4 @@ template <Plane L, Point P>
 IRG_REFUSES_VECTORS(compare_distance_to_line);
 IRG_REFUSES_VECTORS(compare_distance_to_plane);
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -15,17 +15,15 @@
 #include <irg/math/exact/values_of.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // height / sqrt(squared), with the sign of the height.
 template <Floating T>
-constexpr T height_over_root(const known_number& height, const known_number& squared) noexcept {
+constexpr T height_over_root(const scaled_double_double& height, const scaled_double_double& squared) noexcept {
   return rounded_to<T>(height / sqrt(squared));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

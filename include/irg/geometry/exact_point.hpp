@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
-#include <irg/math/exact/exact_number.hpp>
-#include <irg/math/exact/known_number.hpp>
+#include <irg/math/exact/big_float.hpp>
+#include <irg/math/exact/scaled_double_double.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -21,7 +21,7 @@ namespace irg {
 template <class Word = std::uint64_t>
 class basic_exact_point {
   // A meeting of three planes has degrees 6 and 7, a mean of three of them 19, its side of a plane 21.
-  using wide = exact_number<23>;
+  using wide = big_float<23>;
   struct part {
     int first = 0, size = 0, place = 0;
     bool negative = false;
@@ -69,7 +69,7 @@ public:
   /// The point p.
   /// needs   finite coordinates
   IRG_APART constexpr explicit basic_exact_point(const point<double, 3>& p) {
-    using number = exact_number<1>;
+    using number = big_float<1>;
     store(std::array{number(1.0), number(p.x), number(p.y), number(p.z)});
   }
 
@@ -81,7 +81,7 @@ public:
                                                                       const point<double, 3>& r,
                                                                       const point<double, 3>& a,
                                                                       const point<double, 3>& b) {
-    using number = exact_number<4>;
+    using number = big_float<4>;
     const auto base = vector_of<number>(p), u = minus(vector_of<number>(q), base),
                v = minus(vector_of<number>(r), base);
     const auto from = vector_of<number>(a), way = minus(vector_of<number>(b), from), height = minus(base, from);
@@ -99,7 +99,7 @@ public:
                                                                       const point<double, 3>& b,
                                                                       const point<double, 3>& c,
                                                                       const point<double, 3>& d) {
-    using number = exact_number<4>;
+    using number = big_float<4>;
     const auto from = vector_of<number>(a), way = minus(vector_of<number>(b), from);
     const auto start = vector_of<number>(c), other = minus(vector_of<number>(d), start), between = minus(start, from);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -115,7 +115,7 @@ public:
   /// gives   no point when they have more or less in common
   [[nodiscard]] IRG_APART static constexpr basic_exact_point on_planes(
       const std::array<std::array<point<double, 3>, 3>, 3>& planes) {
-    using number = exact_number<9>;
+    using number = big_float<9>;
     using three = std::array<number, 3>;
     const auto cross = [](const three& u, const three& v) {
       return three{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};

@@ -66,7 +66,7 @@ IRG_INLINE constexpr N cross_coordinate(const vec<N, 3>& a, const vec<N, 3>& b, 
 template <class P, class Q>
 constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexcept {
   using T = scalar_of<P>;
-  using V = std::conditional_t<std::integral<T>, known_number, known_value<T>>;
+  using V = std::conditional_t<std::integral<T>, scaled_double_double, known_value<T>>;
   constexpr int D = size_of<P>;
   line_crossing<V, D> result;
   int k = 0;

@@ -32,8 +32,7 @@ struct parametric_meeting {
   T s1{}, s2{}, t{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The divisor, t times it, and the point times it: of the plane with normal n, the line a + t u, and the height of a
 // over the plane times |n|.
@@ -52,8 +51,7 @@ constexpr plane_line_meeting<P> rounded_plane_meeting(const std::optional<std::t
   return {flat_relation::crossing, rounded_coordinates<P>(at / divisor), rounded_to<scalar_of<P>>(t / divisor)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -24,8 +24,7 @@ struct segments_meeting {
   scalar_of<P> t{}, s{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A point given, as a place where two segments meet.
 template <Point P>
@@ -58,8 +57,7 @@ constexpr bool on_one_side(const P& a, const P& b, const P& c, const P& d) noexc
   return side != 0 && side == orient2d(a, b, d);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

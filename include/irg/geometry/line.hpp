@@ -20,8 +20,7 @@ struct line {
   bool operator==(const line&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class T, class V>
 constexpr std::optional<line<T>> rounded_line(const std::optional<vec<V, 3>>& v) noexcept {
@@ -32,8 +31,7 @@ constexpr std::optional<line<T>> rounded_line(const std::optional<vec<V, 3>>& v)
   return line<T>{c[0], c[1], c[2]};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The minimax tests of the course between bodies, polygons and edges: what has disjoint rectangles in the projection
+// The minimax tests of lectures between bodies, polygons and edges: what has disjoint rectangles in the projection
 // plane cannot hide each other. Coordinates beyond x and y are not looked at.
 #pragma once
 

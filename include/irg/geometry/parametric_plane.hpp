@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// parametric_plane<T>: the points origin + s1*first + s2*second, made as both courses make it, its matrices, and the
+// parametric_plane<T>: the points origin + s1*first + s2*second, made as both texts make it, its matrices, and the
 // ways to the implicit plane and back.
 #pragma once
 
@@ -28,8 +28,7 @@ struct plane_parameters {
   bool operator==(const plane_parameters&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The cross product of the two directions of a parametric plane, exactly zero or not.
 template <class T>
@@ -44,8 +43,7 @@ constexpr bool spans_plane(const P& a, const P& b, const P& c) noexcept {
   return normal && !is_zero(*normal);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -19,8 +19,7 @@ struct plane {
   bool operator==(const plane&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Plane P>
 IRG_INLINE constexpr plane<plane_scalar<P>> as_plane(const P& p) noexcept {
@@ -41,8 +40,7 @@ IRG_INLINE constexpr std::optional<plane<T>> plane_with_normal(const vec<T, 3>& 
   return plane<T>{n.x, n.y, n.z, static_cast<T>(T(0) - height)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The course's plane by inversion of a 4 x 4 matrix: its rows are three homogeneous points and (0 0 0 1), the right
+// The lecture's plane by inversion of a 4 x 4 matrix: its rows are three homogeneous points and (0 0 0 1), the right
 // side is (0 0 0 D). It needs a plane that avoids the origin; plane_through for homogeneous points needs not.
 #pragma once
 
@@ -35,8 +35,8 @@ template <HomogeneousPoint P>
             detail::is_zero(vec{m[0], m[1], m[2]}) ? inversion_outcome::collinear : inversion_outcome::through_origin};
   const auto factor = [&] {
     if constexpr (Floating<T>) {
-      const auto [significand, exponent] = decompose(widened(d));  // subnormals are no known numbers
-      return known_number{significand, 0, exponent};
+      const auto [significand, exponent] = decompose(widened(d));  // subnormals are no double-doubles
+      return scaled_double_double{significand, 0, exponent};
     } else {
       return d;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a point lies against a convex polygon: edge by edge, in logarithmic time, and by the course's rules.
+// Where a point lies against a convex polygon: edge by edge, in logarithmic time, and by the lecture's rules.
 #pragma once
 
 #include <cstddef>

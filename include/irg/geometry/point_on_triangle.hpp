@@ -5,8 +5,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// A point of space as it is seen along an axis: without coordinate `axis`.
 /// needs   axis 0, 1 or 2
@@ -69,5 +68,4 @@ IRG_REFUSES_VECTORS(are_collinear);
 IRG_REFUSES_VECTORS(is_on_segment);
 IRG_REFUSES_VECTORS(is_on_triangle);
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -12,7 +12,7 @@
 #include <irg/geometry/detail/predicate_kernel.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/plane.hpp>
-#include <irg/math/exact/exact_number.hpp>
+#include <irg/math/exact/big_float.hpp>
 #include <irg/math/exact/filtered_number.hpp>
 
 namespace irg::inline IRG_ABI {
@@ -38,7 +38,7 @@ namespace irg::detail::inline IRG_ABI {
 template <Floating T, class Position>
 IRG_NOINLINE constexpr int exact_face_volume_sign(std::size_t count, const Position& position,
                                                   const hpoint<T, 3>& eye) noexcept {
-  using N = exact_number<4>;
+  using N = big_float<4>;
   for (std::size_t k = 0; k < count; ++k)
     if (!is_finite(position(k))) return 0;
   if (!is_finite(eye)) return 0;

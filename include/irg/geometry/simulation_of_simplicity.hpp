@@ -34,7 +34,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/math/exact/compare_numbers.hpp>
-#include <irg/math/exact/exact_number.hpp>
+#include <irg/math/exact/big_float.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -112,7 +112,7 @@ private:
 
   IRG_NOINLINE constexpr int exact_determinant_sign(unsigned rows, unsigned cols) const noexcept {
     if constexpr (Floating<T> || std::is_integral_v<T>)
-      return determinant<exact_number<dimension + 1>>(rows, cols).sign();
+      return determinant<big_float<dimension + 1>>(rows, cols).sign();
     else
       return compare_numbers(determinant<T>(rows, cols), T(0));
   }

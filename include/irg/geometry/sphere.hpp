@@ -115,7 +115,7 @@ constexpr auto sphere_of(const P& a, const More&... more) noexcept {
       a, more...);
   if (!values || is_zero(std::get<0>(*values))) return std::optional<ball>();
   const auto& [divisor, offset, at] = *values;
-  known_number squared = offset[0] * offset[0];
+  scaled_double_double squared = offset[0] * offset[0];
   for (int i = 1; i < size_of<P>; ++i) squared = squared + offset[i] * offset[i];
   const T radius = magnitude(rounded_to<T>(sqrt(squared) / divisor));
   return std::optional(ball{rounded_coordinates<point<T, size_of<P>>>(at / divisor), radius});

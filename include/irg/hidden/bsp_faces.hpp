@@ -334,8 +334,7 @@ constexpr void draw_bsp(const bsp_of_faces& tree, image<std::uint32_t>& ids) {
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Faces by their places.
 struct pointed_faces {
@@ -363,8 +362,7 @@ constexpr void draw_by_trees(const std::vector<window_face>& list, const cell_wi
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// A hidden-surface method: the faces as binary space partitions, drawn from back to front. A crowded window is cut
 /// into four, since faces that cross each other make trees that grow with the square of their number.

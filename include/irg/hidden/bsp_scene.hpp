@@ -129,8 +129,7 @@ private:
   std::vector<detail::plane_on_screen> of_node_{}, of_triangle_{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // From a point of the plane and two directions in it, u x v pointing to its front.
 template <class T>
@@ -163,8 +162,7 @@ constexpr plane_on_screen to_plane_on_screen(const double (&a)[3], const double 
           k[3] - product(right, widened(mapping.centre_x)) - product(down, widened(mapping.centre_y))};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 template <Floating T>
 IRG_APART constexpr void bsp_scene_painter<T>::put_planes_on_screen(const mat<T, 4, 4>& to_clip,

@@ -28,8 +28,7 @@ struct cube_options {
   T near_distance = T(1) / T(1024);
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Right, up and forward of a side, as axes and their signs: towards x, -x, y, -y, z, -z.
 struct cube_side {
@@ -69,8 +68,7 @@ constexpr std::vector<screen_face> faces_of_side(const mesh<T>& around, std::spa
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

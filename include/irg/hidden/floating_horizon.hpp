@@ -25,8 +25,7 @@ struct horizon_column {
   constexpr bool operator==(const horizon_column&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Moves the horizons to a sample that reaches beyond them.
 template <class Column>
@@ -39,8 +38,7 @@ constexpr void extend_horizon(Column& c, int row) noexcept {
     c.lower = row;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// The horizons of all columns, and the curve that is being drawn.
 /// shape   columns 0 to columns() - 1; y points up

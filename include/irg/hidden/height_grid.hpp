@@ -56,8 +56,7 @@ template <class Height, class Range = sample_range>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // 0, 1, 2 and on: even steps from 0 to count - 1 would be rounded.
 template <class Int>
@@ -67,8 +66,7 @@ constexpr std::vector<double> whole_places(Int count) {
   return places;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

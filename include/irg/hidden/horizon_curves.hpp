@@ -20,8 +20,7 @@ struct horizon_curve_points {
   std::vector<double> heights{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class Height, class View, class Place>
 constexpr horizon_curve_points curve_points(const Height& height, const View& t, const point<double, 2>& eye,
@@ -43,8 +42,7 @@ constexpr horizon_curve_points curve_points(const Height& height, const View& t,
   return curves;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -6,9 +6,7 @@
 #include <irg/hidden/floating_horizon.hpp>
 #include <irg/hidden/horizon_view.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// How many columns the horizon of a view needs.
 /// gives   1 where the yaw is no number, with which nothing is drawn
@@ -44,5 +42,4 @@ constexpr void draw_horizon_surface(Horizon& horizon, const Height& height, cons
   detail::visit_horizon_samples(t, detail::eye_at_infinity, [&] { horizon.begin_curve(); }, add);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

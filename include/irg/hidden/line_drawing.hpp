@@ -54,8 +54,7 @@ struct line_drawing {
   std::int64_t culled = 0;  // of the others those that culling left out
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 constexpr screen_box box_of_corners(const screen_face& f) noexcept {
   return box_of({f.v[0].position, f.v[1].position, f.v[2].position});
@@ -229,8 +228,7 @@ private:
   std::vector<std::uint32_t> face_of_corner_{};
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

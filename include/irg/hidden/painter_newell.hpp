@@ -25,7 +25,7 @@
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/face_fragment.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/raster/window_coverage.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {

@@ -37,8 +37,7 @@ struct axis_tick {
   plot_text text{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The double nearest to digits * 10^exponent.
 template <class Int>
@@ -57,8 +56,7 @@ constexpr void add_tick(std::vector<Tick>& ticks, double value) {
   ticks.push_back({shown, print_decimal(std::span(text), shown)});
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -31,8 +31,7 @@ struct ray_casting {
                                       draw_counts& counts) const;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Of equal faces, whose corners are the same bits in the same order, the one of the lowest number, or the highest in
 // drawing order: the others are never seen.
@@ -86,8 +85,7 @@ constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_w
   return list;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 template <DepthOrder Order>
 template <class Faces>

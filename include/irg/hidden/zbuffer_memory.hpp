@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much memory a z-buffer takes: the table every course has its students fill in.
+// How much memory a z-buffer takes: the table of every exercise.
 #pragma once
 
 #include <bit>

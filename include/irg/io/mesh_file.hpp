@@ -47,8 +47,7 @@ inline namespace IRG_ABI {
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T>
 constexpr result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format) {
@@ -66,8 +65,7 @@ constexpr result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format forma
   return read_obj<T>(bytes);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

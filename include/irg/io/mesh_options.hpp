@@ -18,8 +18,7 @@ enum class mesh_encoding { text, little_endian, big_endian };
 /// Files of more bytes are not read: 4 GiB, so that 32 bits count the corners of every mesh.
 inline constexpr std::uint64_t max_mesh_file_bytes = 0xffffffffu;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The error for a file of more than max_mesh_file_bytes.
 constexpr std::optional<parse_error> refuse_long_file(std::string_view bytes) noexcept {
@@ -46,6 +45,5 @@ constexpr std::optional<encode_error> refuse_mesh(const mesh<T>& m) noexcept {
   return encode_error{"mesh's parts do not cover its faces in order"};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

@@ -29,8 +29,7 @@ struct mtl_material {
   bool operator==(const mtl_material&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T>
 struct mtl_reader {
@@ -101,8 +100,7 @@ struct mtl_reader {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -143,8 +141,7 @@ template <class Text = std::string_view>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The name without the folder's own name before it, as many writers put it there.
 template <class Text>
@@ -153,8 +150,7 @@ constexpr Text without_own_folder(Text name) noexcept {
   return name;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

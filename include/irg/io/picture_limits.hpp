@@ -23,8 +23,7 @@ inline constexpr std::uint64_t max_picture_pixels = std::uint64_t{1} << (sizeof(
 template <class R>
 concept EncodableRaster = ReadableRaster<R> && EncodablePixel<pixel_of<R>>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The reason why a picture of this size is refused, if it is.
 /// exact   for all int sizes: the count of pixels is formed in 64 bits
@@ -37,6 +36,5 @@ constexpr std::optional<encode_error> refuse_picture_size(int width, int height)
   return std::nullopt;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

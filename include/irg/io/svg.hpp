@@ -11,8 +11,7 @@
 #include <irg/io/detail/svg_runs.hpp>
 #include <irg/io/picture_limits.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The bytes of an SVG file that shows the raster, one unit a pixel.
 /// shape   a <rect> for each run of equal pixels in a row and the rows below that are equal as a whole, from the top;
@@ -47,5 +46,4 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_svg(const R& ra
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -20,8 +20,7 @@ struct svg_stroke {
   double width = 1, dash = 0;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A number to the nearest millionth, of two the greater size, without trailing zeros; those beyond 2^40 as 2^40.
 template <class Bytes>
@@ -50,8 +49,7 @@ constexpr void append_millionths(Bytes& out, double v) {
     out.push_back(static_cast<std::uint8_t>('0' + fraction / place));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -5,8 +5,7 @@
 #include <irg/hidden/plot_surface.hpp>
 #include <irg/io/svg_drawing.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Writes a plot as SVG text to sink(std::string_view), piece by piece.
 /// shape   units are pixels; texts are strokes of irg's own font, so that they look alike everywhere
@@ -36,5 +35,4 @@ constexpr void write_svg_plot(Sink& sink, const surface_plot& plot, const plot_c
   drawing.finish();
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

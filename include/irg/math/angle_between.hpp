@@ -62,8 +62,7 @@ IRG_INLINE constexpr unrounded plain_length(double x, double y, double z) noexce
   const double square = (product(x, x) + product(y, y)) + product(z, z);
   const double root = sqrt(square);
   if (root == 0) return {};
-  const unrounded back = fast_two_product(root, root);
-  return {root, product((square - back.value) - back.error, 0.5 / root)};
+  return {root, product(residual(square, root, root), 0.5 / root)};
 }
 
 /// The length of a's cross product with b.
@@ -115,10 +114,8 @@ IRG_INLINE constexpr double angle_between_moderate(const double (&a)[N], const d
   if (large.value == 0) return 0;
   const double inverse = 1 / large.value;
   const double quotient = product(lesser_one.value, inverse);
-  const unrounded back = fast_two_product(quotient, large.value);
-  const double miss =
-      ((lesser_one.value - back.value) - back.error) + (lesser_one.error - product(quotient, large.error));
-  return angle_of_quotient(quotient, product(miss, inverse), is_steep, is_backward);
+  const double rest = product(residual(lesser_one, quotient, large), inverse);
+  return angle_of_quotient(quotient, rest, is_steep, is_backward);
 }
 
 /// angle_between_moderate for coordinates from the smallest number up to 2^52, by operations that look at their

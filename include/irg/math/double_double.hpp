@@ -10,7 +10,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include <irg/math/error_free.hpp>
+#include <irg/math/detail/unrounded.hpp>
 #include <irg/math/sqrt.hpp>
 
 namespace irg {
@@ -20,12 +20,10 @@ class double_word;
 
 namespace detail::inline IRG_ABI {
 
-/// high + low with the high part rounded; where that overflows or is no number, it stands alone.
-/// needs   |high| >= |low|, or high == 0
+/// The number of the two parts, the value being the sum rounded; where that is not finite, it stands alone.
 template <Floating T>
-IRG_INLINE constexpr double_word<T> normalised_words(T high, T low) noexcept {
-  const T sum = high + low;
-  return {sum, is_finite(sum) ? low - (sum - high) : T(0)};
+IRG_INLINE constexpr double_word<T> finite_words(const exact_sum<T>& x) noexcept {
+  return {x.value, is_finite(x.value) ? x.error : T(0)};
 }
 
 // Between these sizes a product of words has an error that is a number; a dividend or radicand beyond is scaled first.
@@ -80,11 +78,9 @@ public:
   /// cost    20 operations
   /// source  Li et al. 2002 (AccurateDWPlusDW)
   IRG_INLINE friend constexpr double_word operator+(const double_word& x, const double_word& y) noexcept {
-    const auto [heads, heads_error] = two_sum(x.high, y.high);
-    if (!is_finite(heads)) return heads;
-    const auto [tails, tails_error] = two_sum(x.low, y.low);
-    const auto [sum, sum_error] = fast_two_sum(heads, heads_error + tails);
-    return detail::normalised_words(sum, tails_error + sum_error);
+    const auto heads = two_sum(x.high, y.high);
+    if (!is_finite(heads.value)) return heads.value;
+    return detail::finite_words(detail::accurate_sum(heads, x.parts(), y.parts()));
   }
   /// exact   relative error at most 2u^2
   /// cost    10 operations
@@ -92,7 +88,7 @@ public:
   IRG_INLINE friend constexpr double_word operator+(const double_word& x, T y) noexcept {
     const auto [heads, heads_error] = two_sum(x.high, y);
     if (!is_finite(heads)) return heads;
-    return detail::normalised_words(heads, x.low + heads_error);
+    return detail::finite_words(fast_two_sum(heads, x.low + heads_error));
   }
   IRG_INLINE friend constexpr double_word operator+(T x, const double_word& y) noexcept { return y + x; }
   IRG_INLINE friend constexpr double_word operator-(const double_word& x, const double_word& y) noexcept {
@@ -105,15 +101,16 @@ public:
   /// cost    a two_product and 8 operations
   /// source  Dekker 1971 (DWTimesDW1)
   IRG_INLINE friend constexpr double_word operator*(const double_word& x, const double_word& y) noexcept {
-    const auto [heads, error] = two_product(x.high, y.high);
-    const T cross = product(x.high, y.low) + product(x.low, y.high);
-    return is_finite(heads) ? detail::normalised_words(heads, error + cross) : double_word(heads);
+    const auto heads = two_product(x.high, y.high);
+    if (!is_finite(heads.value)) return heads.value;
+    return detail::finite_words(detail::multiply(heads, x.parts(), y.parts()));
   }
   /// exact   relative error at most 3u^2
   /// source  Joldes, Muller and Popescu 2017 (DWTimesFP2)
   IRG_INLINE friend constexpr double_word operator*(const double_word& x, T y) noexcept {
     const auto [heads, error] = two_product(x.high, y);
-    return is_finite(heads) ? detail::normalised_words(heads, error + product(x.low, y)) : double_word(heads);
+    if (!is_finite(heads)) return heads;
+    return detail::finite_words(fast_two_sum(heads, error + product(x.low, y)));
   }
   IRG_INLINE friend constexpr double_word operator*(T x, const double_word& y) noexcept { return y * x; }
 
@@ -128,7 +125,7 @@ public:
       return detail::scaled_quotient(x, y);
     const double_word back = y * quotient;
     const T rest = (x.high - back.high) + (x.low - back.low);
-    return detail::normalised_words(quotient, rest / y.high);
+    return detail::finite_words(fast_two_sum(quotient, rest / y.high));
   }
 
   IRG_INLINE constexpr double_word& operator+=(const double_word& y) noexcept { return *this = *this + y; }
@@ -148,6 +145,9 @@ public:
     return x.high < y.high || (x.high == y.high && x.low <= y.low);
   }
   IRG_INLINE friend constexpr bool operator>=(const double_word& x, const double_word& y) noexcept { return y <= x; }
+
+private:
+  [[nodiscard]] IRG_INLINE constexpr exact_sum<T> parts() const noexcept { return {high, low}; }
 };
 
 using double_double = double_word<double>;
@@ -164,7 +164,7 @@ constexpr double_word<T> scaled_quotient(const double_word<T>& x, const double_w
   const double_word<T> dividend{x.high * there, x.low * there};
   if ((magnitude(y.high) < 1) == is_small) return dividend / double_word<T>{y.high * there, y.low * there};
   const double_word<T> quotient = dividend / y;
-  return normalised_words(quotient.high * back, quotient.low * back);
+  return finite_words(fast_two_sum(quotient.high * back, quotient.low * back));
 }
 
 }  // namespace detail::inline IRG_ABI
@@ -186,7 +186,7 @@ template <Floating T>
     return {scaled.high * back, scaled.low * back};
   }
   const auto [square, error] = two_product(root, root);
-  return detail::normalised_words(root, (((x.high - square) - error) + x.low) / (2 * root));
+  return detail::finite_words(fast_two_sum(root, (((x.high - square) - error) + x.low) / (2 * root)));
 }
 
 /// |x|.

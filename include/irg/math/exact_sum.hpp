@@ -88,9 +88,7 @@ private:
   detail::word_range range_{0, 0};
 };
 
-namespace detail {
-
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Makes the words first to last part of the range.
 constexpr void widen_range(std::uint64_t* word, word_range& range, int first, int last) noexcept {
@@ -198,8 +196,7 @@ constexpr double nearest_double(const std::uint64_t* word, word_range range, int
   return std::bit_cast<double>(rounded | (sign < 0 ? std::uint64_t{1} << 63 : 0));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 template <int K>
 template <std::same_as<double>... X>

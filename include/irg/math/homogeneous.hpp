@@ -9,6 +9,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/math/error_free.hpp>
+#include <irg/math/exact/scaled_double_double.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/math/wide_int.hpp>
 
@@ -74,18 +75,11 @@ template <Real T, int N>
 
 namespace detail::inline IRG_ABI {
 
-// a*b as value + error times 2^exponent, which is one way to write it: 1 <= |value| < 2.
-struct normalized_product {
-  double value, error;
-  int exponent;
-  constexpr bool operator==(const normalized_product&) const = default;
-};
-constexpr normalized_product normalized_product_of(double a, double b) noexcept {
+// a*b with 1 <= |high| < 2, which is one way to write it.
+// needs   finite numbers that are not zero
+constexpr scaled_double_double normalized_product_of(double a, double b) noexcept {
   const scaled_number x = decompose(a), y = decompose(b);
-  const auto p = fast_two_product(x.significand, y.significand);
-  const int up = magnitude(p.value) >= 2 ? (magnitude(p.value) >= 4 ? 2 : 1) : 0;
-  const double back = power_of_two(-up);
-  return {p.value * back, p.error * back, x.exponent + y.exponent + up};
+  return normalized_number({fast_two_product(x.significand, y.significand), x.exponent + y.exponent});
 }
 
 // Whether a*b == c*d.

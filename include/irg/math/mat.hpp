@@ -129,7 +129,7 @@ template <class T, int M, int N>
   return detail::image_of_column<hpoint<T, N>, M>(a.m, [&](int k) IRG_INLINE_LAMBDA { return k < N ? p[k] : T(1); });
 }
 
-/// The image of a row vector, v * A * B being A first, then B: the form of the course.
+/// The image of a row vector, v * A * B being A first, then B: the form of lectures.
 /// exact   bit for bit the column form of the transposed matrix, transpose(a) * v
 template <class T, int R, int C>
 [[nodiscard]] IRG_INLINE constexpr vec<T, C> operator*(const vec<T, R>& v, const mat<T, R, C>& a) noexcept {

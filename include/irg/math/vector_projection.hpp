@@ -13,8 +13,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The dot product of two vectors scaled to be near 1, in twice the precision.
 template <int N>
@@ -35,8 +34,7 @@ constexpr bool can_project(const scaled_coordinates<N>& a, const scaled_coordina
   return a.scale >= 0 && b.scale > 0;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

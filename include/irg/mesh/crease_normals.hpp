@@ -13,8 +13,7 @@
 #include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/normals.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Gives the corners of a mesh that have no normal one: the normal of the faces around the corner's position that are
 /// connected to its own face over smooth edges, weighted and summed as vertex_normals does. An edge is smooth where
@@ -66,5 +65,4 @@ constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight 
     if (m.corners[c].normal == mesh_corner::none) m.corners[c].normal = normal_of[groups.of(c)];
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

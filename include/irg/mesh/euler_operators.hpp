@@ -81,8 +81,7 @@ constexpr std::uint32_t make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Scalar T>
 class euler_editor {
@@ -191,8 +190,7 @@ private:
   half_edge_mesh<T>& b_;
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

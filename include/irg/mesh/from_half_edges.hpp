@@ -101,8 +101,7 @@ template <Scalar T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The triangles of a face with rings, as half-edges that leave their corners.
 template <Scalar T>
@@ -150,8 +149,7 @@ constexpr void append_face(mesh<T>& m, const half_edge_mesh<T>& b, std::uint32_t
     m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -11,8 +11,7 @@
 #include <irg/mesh/detail/equal_vectors.hpp>
 #include <irg/mesh/mesh.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The mesh with one position for all that are equal: the first of them, in the order in which they stood.
 /// shape   faces, normals, texture coordinates and parts stay; positions that no corner names stay, too
@@ -37,5 +36,4 @@ template <Floating T>
   return m;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -95,8 +95,7 @@ inline namespace IRG_ABI {
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T>
 class fault_finder {
@@ -171,8 +170,7 @@ private:
   std::vector<std::uint32_t> names_, face_of_;
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -20,7 +20,7 @@ namespace irg {
 
 /// How much each face around a vertex counts for the vertex's normal.
 enum class normal_weight {
-  average,  // all faces alike: the course's form; depends on how polygons are cut into triangles
+  average,  // all faces alike, the form of lectures; depends on how polygons are cut into triangles
   angle,    // by the face's angle at the vertex; does not depend on it
   area,     // by the face's area; does not depend on it as long as the vertex keeps its share of the area
 };

@@ -25,8 +25,7 @@ struct grid_options {
   int columns = 10, rows = 10;  // cells along x and z; taken as 1 if less, as 4096 if more
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// Triangles over the positions of m, three digits each; digits count from 1 as in an OBJ file, up to 9, then A, B, C.
 /// Of `per_normal` triangles, one after the other, each corner names the next normal.
@@ -52,12 +51,11 @@ constexpr void add_central_normals(mesh<T>& m) {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
-/// The unit cube of the course, from (0, 0, 0) to (1, 1, 1).
+/// The unit cube that exercises use, from (0, 0, 0) to (1, 1, 1).
 /// shape   8 vertices, 12 triangles in the order of figure 4.1's file, counter-clockwise from outside, 6 normals
 /// exact   yes
 /// source  Mihajlovic 2016, 4.6, its f list (its P list runs the other way round)
@@ -195,8 +193,7 @@ template <Floating T>
 }
 
 }  // namespace IRG_ABI
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The vertices of a profile's point all round: one where it lies on the axis.
 template <Floating T>
@@ -222,8 +219,7 @@ constexpr void add_collapsed_face(mesh<T>& m, const std::vector<std::uint32_t>& 
   if (kept.size() > 2) add_face(m, kept);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -22,8 +22,7 @@ enum class [[nodiscard]] half_edge_status {
   vertex_of_many_fans,  ///< the faces round a vertex are no single fan
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Makes half-edges of one face after another. An edge waits for its second face in the list of its lower vertex. Where
 // that takes long it begins anew, by that of its vertices that has fewer edges: on a surface of low genus such lists
@@ -147,8 +146,7 @@ private:
   std::vector<std::uint32_t> degree_, list_of_, next_in_list_;
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -9,8 +9,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/mesh/mesh.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// A mesh of any type as a mesh<T>: its positions and faces.
 /// needs   fewer than 2^32 - 1 positions and corners
@@ -51,5 +50,4 @@ template <Floating T, Floating U>
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

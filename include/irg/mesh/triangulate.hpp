@@ -38,8 +38,7 @@ template <Scalar T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The triangles of one face of a mesh, by corner numbers: of the face without the coordinate along which it looks
 // largest.
@@ -83,8 +82,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -34,8 +34,7 @@ struct mesh_finding {
   constexpr bool operator==(const mesh_finding&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The first element with a coordinate that is not finite; size() when there is none.
 template <int N, class Elements>
@@ -46,8 +45,7 @@ constexpr std::size_t first_not_finite(const Elements& elements) noexcept {
   return elements.size();
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -9,8 +9,7 @@
 #include <irg/raster/detail/mix_kernel.hpp>
 #include <irg/raster/fill_span.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Paints those pixels of a run that lie in the raster, each as far as its coverage says: a value is mixed in
 /// (colour/mix.hpp), a function f(there, coverage) is called once for each pixel whose coverage is not 0.
@@ -41,5 +40,4 @@ constexpr void blend_span(R& raster, const coverage_span& span, const Paint& pai
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -10,8 +10,7 @@
 #include <irg/raster/fill_span.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 struct circle_shape {
   std::int64_t r;
@@ -35,8 +34,7 @@ struct circle_shape {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

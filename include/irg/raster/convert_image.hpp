@@ -9,8 +9,7 @@
 #include <irg/core/raster_concept.hpp>
 #include <irg/raster/image.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Sets every pixel of the target to the source's pixel at the same place, as the target's type.
 /// needs   two rasters of the same size, whose pixels are not the same memory unless their types are the same
@@ -39,5 +38,4 @@ template <DecodablePixel P, ReadableRaster From>
   return converted;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

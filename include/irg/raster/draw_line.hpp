@@ -10,9 +10,7 @@
 #include <irg/raster/line_bresenham.hpp>
 #include <irg/raster/paint.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Paints the pixels of the line from a to b, in the order from a to b.
 /// gives   nothing when the line misses the raster's window; a function paint is called once per pixel
@@ -47,5 +45,4 @@ constexpr void draw_line(R& raster, const P& a, const P& b, const Paint& paint, 
   draw_line(raster, as_cell(a), as_cell(b), paint, options);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -55,8 +55,7 @@ constexpr bool draw_text(R& raster, std::string_view text, const point<double, 2
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // From bytes to code points, and from a glyph's text to polylines in pixels.
 
@@ -141,8 +140,7 @@ struct glyph_pen {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -43,8 +43,7 @@ struct shade_over {
   }
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Stands in for a depth raster where none is wanted, and for its pixels.
 struct no_depth {};
@@ -143,8 +142,7 @@ constexpr draw_counts triangle_rows(Colour& colour, Depth& depth, const covered_
   return {total(counts.tested), total(counts.shaded), total(counts.ties)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 namespace detail {
 

@@ -69,8 +69,7 @@ template <class V>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The first row whose centre line is at or below y: an edge crosses the rows from the one of its upper end up to,
 // without it, the one of its lower end.
@@ -103,8 +102,7 @@ constexpr quotient_and_rest divide_down(int128 n, std::int64_t d) noexcept {
   return {q, r};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -53,8 +53,7 @@ constexpr void fill_ellipse(R& raster, const cell& centre, int radius_x, int rad
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The ellipse with radius p along and q aside, both positive; J holds 4 * p^2 * q^2.
 template <class J>
@@ -121,8 +120,7 @@ constexpr void full_ellipse_spans(const cell& centre, std::int64_t a, std::int64
   });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

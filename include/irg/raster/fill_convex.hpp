@@ -12,8 +12,7 @@
 #include <irg/raster/detail/convex_fill_kernel.hpp>
 #include <irg/raster/fill_span.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Calls sink(span) for every row of covered pixels in the window, from top to bottom, one span a row.
 /// units   floating vertices in pixels, snapped to 1/256 as by snap(); subpixel vertices as they are
@@ -48,5 +47,4 @@ constexpr bool fill_triangle(R& raster, const P& a, const P& b, const P& c, cons
   return fill_convex(raster, corners, paint);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

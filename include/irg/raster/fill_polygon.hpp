@@ -19,8 +19,7 @@ struct fill_workspace {
   detail::polygon_bands bands;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class J, FillablePolygon P, class Emit>
 constexpr void scan_polygon(const P& polygon, fill_rule rule, const cell_window& w, std::vector<polygon_edge<J>>& edges,
@@ -63,8 +62,7 @@ constexpr bool walk_polygon(const P& polygon, fill_rule rule, const cell_window&
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

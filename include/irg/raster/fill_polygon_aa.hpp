@@ -117,8 +117,7 @@ constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, cons
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The area within each pixel that rings of any shape enclose under a fill rule.
 //
@@ -451,8 +450,7 @@ constexpr void add_area_lines(std::vector<area_line>& lines, const R& ring, ring
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -15,8 +15,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class P>
 inline constexpr bool fills_in_lanes =
@@ -76,8 +75,7 @@ IRG_INLINE constexpr void fill_run(P* first, std::size_t count, const P& value,
   for (std::size_t i = 0; i < count; ++i) first[i] = value;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -92,8 +90,7 @@ IRG_INLINE constexpr void fill_pixels(P* first, std::size_t count,
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A paint as the loops over runs want it: the pixel itself, made once, or a reference to the function.
 template <WritableRaster R, PaintFor<R> Paint>
@@ -116,8 +113,7 @@ IRG_INLINE constexpr void paint_run(R& raster, int y, int first, int last, const
     for (int x = first; x < last; ++x) paint_pixel(raster, x, y, paint);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

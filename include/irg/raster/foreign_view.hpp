@@ -19,8 +19,7 @@ struct view_refusal {
 template <class P>
 using foreign_view = result<image_view<P>, view_refusal>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Rows of P at `data`, or the reason why they cannot be read as such. Data is char or const char, as P is const or not.
 template <class P, class Data>
@@ -34,6 +33,5 @@ foreign_view<P> foreign_rows(Data* data, int width, int height, std::ptrdiff_t s
   return image_view<P>(reinterpret_cast<P*>(data), width, height, stride);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

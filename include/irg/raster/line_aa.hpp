@@ -35,8 +35,7 @@ constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& pain
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The indices along an axis that fall in [first, last) of the raster.
 IRG_INLINE constexpr aa_columns aa_visible(const aa_axis& axis, int first, int last) noexcept {
@@ -237,8 +236,7 @@ void aa_mix_line(R& raster, const subpixel& a, const subpixel& b, const pixel_of
   aa_line(a, b, options, w, writer);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -6,8 +6,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class Sink>
 constexpr void emit_bresenham(const bresenham_frame& f, const step_range& steps, Sink& sink) {
@@ -23,8 +22,7 @@ constexpr void emit_bresenham(const bresenham_frame& f, const step_range& steps,
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

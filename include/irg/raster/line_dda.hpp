@@ -23,8 +23,7 @@ namespace irg {
 template <Real T>
 inline constexpr std::int64_t line_dda_steps = detail::proven_steps<T>(1, 2);
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A walk by 64-bit fractions, from a step that is known exactly; see above.
 struct dda_walk {
@@ -57,8 +56,7 @@ constexpr void emit_dda(const bresenham_frame& f, const step_range& steps, Sink&
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

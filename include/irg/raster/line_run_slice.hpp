@@ -23,8 +23,7 @@ struct line_run {
 template <class S>
 concept LineRunSink = requires(S& sink, const line_run run) { sink(run); };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class Sink>
 constexpr void emit_runs(const bresenham_frame& f, const step_range& steps, Sink& sink) {
@@ -49,8 +48,7 @@ constexpr void emit_runs(const bresenham_frame& f, const step_range& steps, Sink
   sink(line_run{f.at(first, aside), f.at(steps.last - 1, aside)});
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -37,8 +37,7 @@ struct line_dashes {
 template <class Pattern, class... More>
 line_dashes(Pattern, More...) -> line_dashes<Pattern>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Walks over a pattern: how many positions remain of its present run, and whether they are drawn.
 class dash_runs_walk {
@@ -101,8 +100,7 @@ private:
 constexpr dash_runs_walk walk_of(const dash_runs& pattern) noexcept { return dash_runs_walk(pattern); }
 constexpr dash_mask_walk walk_of(const dash_mask& pattern) noexcept { return dash_mask_walk(pattern); }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -29,8 +29,7 @@ struct line_subpixel_options {
   constexpr bool operator==(const line_subpixel_options&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Column or row c seen from the other side: cells keep their centres at +128.
 IRG_INLINE constexpr std::int64_t mirrored_cell(std::int64_t c, int sign) noexcept { return sign > 0 ? c : -1 - c; }
@@ -124,8 +123,7 @@ constexpr void clip_walk(subpixel_walk& w, const cell_window& window) noexcept {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

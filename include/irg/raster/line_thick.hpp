@@ -61,8 +61,7 @@ constexpr void draw_polyline_thick(R& raster, std::span<const subpixel> points, 
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The shape of a thick line as four half-planes and up to two discs, each decided at pixel centres in integers.
 //
@@ -252,8 +251,7 @@ constexpr thick_stroke<std::int64_t> thick_stroke_between(const subpixel& a, con
   return thick_stroke_of<std::int64_t, subpixel_bits>({a.x, a.y, b.x, b.y}, width, start, end);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -62,7 +62,7 @@ struct vertex_colour_shader {
   IRG_INLINE constexpr P operator()(const pixel_weights<float>& at) const { return encode(light(at)); }
 };
 
-/// One intensity at each vertex, linear in between: the triangle of the course's Gouraud exercise.
+/// One intensity at each vertex, linear in between: the triangle of a Gouraud exercise.
 /// exact   the float nearest to the weighted sum within three roundings; then rounded to the nearest integer and
 ///         limited to 0..255 when P is an 8-bit integer
 template <class P>

@@ -13,7 +13,33 @@
 #include <irg/core/lanes.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/raster/screen_mapping.hpp>
-#include <irg/raster/vertex_lanes.hpp>
+#include <irg/raster/subpixel.hpp>
+
+namespace irg::inline IRG_ABI {
+
+static_assert(sizeof(screen_vertex) == 16);  // x, y, depth, 1/w
+
+/// N vertices, a lane each.
+template <int N>
+struct vertex_lanes {
+  pack<std::int32_t, N> x, y;
+  pack<float, N> depth, inverse_w;
+};
+
+/// The vertices screen[index(i)], i the lane.
+template <int N, class Index>
+[[nodiscard]] IRG_INLINE vertex_lanes<N> load_vertices(const screen_vertex* screen, const Index& index) noexcept {
+  const auto [x, y, z, w] = load_quadruples<N>([&](int i) { return screen + index(i); });
+  return {bits_as<std::int32_t>(x), bits_as<std::int32_t>(y), z, w};
+}
+
+/// The reverse: N vertices from `to` on.
+template <int N>
+IRG_INLINE void store_vertices(screen_vertex* to, const vertex_lanes<N>& v) noexcept {
+  store_quadruples<N>(to, {bits_as<float>(v.x), bits_as<float>(v.y), v.depth, v.inverse_w});
+}
+
+}  // namespace irg::inline IRG_ABI
 
 namespace irg {
 
@@ -87,8 +113,7 @@ template <Floating T, SpaceRing A, Executor E = sequential>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A range of vertices from the world to the screen, a register of them at a time. Bit for bit what to_screen and
 // classify give one by one.
@@ -188,8 +213,7 @@ constexpr clip_code_pair project_range(const vertex_range<T>& v, std::size_t fir
   return any;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

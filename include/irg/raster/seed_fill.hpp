@@ -92,8 +92,7 @@ constexpr std::int64_t boundary_fill(R& raster, const P& seed, const pixel_of<R>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // One bit per cell of a window: set once the cell has been asked about. Columns count from the window's first one.
 class seed_marks {
@@ -185,8 +184,7 @@ struct seed_filler {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

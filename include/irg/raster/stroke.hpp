@@ -53,8 +53,7 @@ constexpr bool draw_stroke(R& raster, std::span<const point<double, 2>> points, 
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The convex pieces of a thick line: rectangles, joins and caps, all of positive orientation.
 
@@ -159,8 +158,7 @@ struct stroke_pieces {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

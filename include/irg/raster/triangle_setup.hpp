@@ -10,8 +10,7 @@
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The three barycentric weights of a pixel on the screen: all positive, each accurate to a few units in its last
 /// place.
@@ -137,5 +136,4 @@ struct covered_triangle {
   return perspective_weights<float>(s, weight(0), weight(1), weight(2), depth_at(s, x, y));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

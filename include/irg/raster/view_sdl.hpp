@@ -31,8 +31,7 @@ template <class P>
 concept SdlPixel = ChannelPixel<P> && (std::same_as<typename pixel_layout<P>::channel, std::uint8_t> ||
                                        std::same_as<P, std::uint16_t> || std::same_as<P, std::uint32_t>);
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // SDL's mask for the byte at `place` of a pixel of `count` bytes: pixels are numbers in the machine's byte order.
 constexpr std::uint32_t sdl_mask(int place, int count, std::endian order) noexcept {
@@ -60,8 +59,7 @@ const char* sdl_format_mismatch(const Format& format, std::endian order) noexcep
   return nullptr;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

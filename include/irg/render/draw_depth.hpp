@@ -18,8 +18,7 @@ struct depth_settings {
   draw_workspace* workspace = nullptr;  // the caller's lists, kept from picture to picture; null: lists for this one
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Makes nothing of what tiles show.
 template <class T>
@@ -28,8 +27,7 @@ struct depths_alone final : tile_finish<T> {
   constexpr std::int64_t operator()(const visible_window&, const triangle_finder<T>&) const override { return 0; }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -23,8 +23,7 @@ struct drawable {
   std::vector<std::uint32_t> face_of;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Numbers the pairs of position and normal that occur in the corners. Pairs of one position form a chain, of which the
 // newest are looked through: where a thousand normals meet, a pair may be numbered twice, which changes no picture.
@@ -50,12 +49,11 @@ private:
   std::vector<std::uint32_t> first_, next_, normal_;
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
-/// The triangles of a mesh. Meshes without normals get the course's vertex normals (the average of the faces around).
+/// The triangles of a mesh. Meshes without normals get the usual vertex normals (the average of the faces around).
 /// needs   a valid mesh (mesh/validate.hpp)
 /// cost    linear; allocates the result
 template <Floating T>

@@ -44,8 +44,7 @@ struct reporting {
 template <class E, class Report>
 reporting(const E&, const Report&) -> reporting<E, Report>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Makes shaders that trace what comes from a triangle's point to the eye.
 template <class T>
@@ -87,8 +86,7 @@ constexpr void encode_means(Colour& colour, const image<rgb<float>>& light, int 
     }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

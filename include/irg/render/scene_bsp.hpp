@@ -8,8 +8,7 @@
 #include <irg/hidden/bsp_scene.hpp>
 #include <irg/render/render.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The tree of all triangles of a scene, in the world, numbered as pictures of the whole scene number them.
 /// needs   a scene as render needs it
@@ -42,5 +41,4 @@ constexpr render_stats render(const bsp_tree_3d<T>& tree, const scene<T>& world,
   return render(method, world, target, options, executor);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -35,8 +35,7 @@ inline namespace IRG_ABI {
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Which of the textures a number means.
 // needs   count > 0
@@ -45,8 +44,7 @@ IRG_INLINE constexpr std::size_t texture_index(float number, std::size_t count) 
   return lesser(static_cast<std::size_t>(clamp(number, 0.0f, last)), count - 1);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// The vertices of one object, lit from outside and, where backs are shown, from inside; without `back` alike.
 struct textured_vertices {

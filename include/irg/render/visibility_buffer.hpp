@@ -14,8 +14,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Stores the source triangles of what tiles show; where nothing was drawn, the raster keeps what it has.
 template <class T, class Ids>
@@ -41,8 +40,7 @@ struct number_tiles final : tile_finish<T> {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -67,8 +65,7 @@ constexpr render_stats draw_visibility(render_target<Ids, Depth> target, const p
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The weights of three vertices on the screen at a pixel.
 constexpr std::optional<pixel_weights<float>> weights_of_pixel(const triangle_corners& c, int x, int y) noexcept {
@@ -77,8 +74,7 @@ constexpr std::optional<pixel_weights<float>> weights_of_pixel(const triangle_co
   return weights_at(t.setup, x, y);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -56,14 +56,12 @@ struct weight_derivatives {
   }
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A float, not beyond the range of floats.
 IRG_INLINE constexpr float limited_float(double x) noexcept { return converted<float>(clamp(x, -0x1p100, 0x1p100)); }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -33,8 +33,7 @@ struct camera {
   oblique_depth<T> receding{};  // in oblique projection: what is at the target's depth stays where it is
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A power of two that brings x > 0 into [1, 2), or as near to it as leaves room for 2^62 of everything.
 template <class T>
@@ -46,8 +45,7 @@ constexpr T scale_towards_one(T x) noexcept {
   return scale;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -10,8 +10,7 @@
 #include <irg/shade/light.hpp>
 #include <irg/view/polar_camera.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// A lamp at a position.
 template <Scalar T, class L>
@@ -55,5 +54,4 @@ constexpr std::optional<polar_coordinates<T>> polar_of(const light<T, L>& source
   return p;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

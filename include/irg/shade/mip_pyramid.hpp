@@ -34,8 +34,7 @@ struct mip_place_of {
 };
 using mip_place = mip_place_of<float>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Texel i of the smaller of two sizes: the mean of what it covers of the larger one, by shares. `at(j)` gives texel j.
 // Each of the larger size's texels is `fewer` units long, each of the smaller one's `more`.
@@ -78,8 +77,7 @@ constexpr F squared_side(const texture_derivatives_of<F>& d, int width, int heig
   return select(number, limited_coordinate(longer, 1.0f, 0x1p64f), f::broadcast(1.0f));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

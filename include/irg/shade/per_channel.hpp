@@ -4,8 +4,7 @@
 
 #include <irg/colour/pixel.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// f(a, b, ...) of numbers, or of each channel of colours.
 template <class F, Scalar T, class... More>
@@ -27,5 +26,4 @@ template <Scalar T>
   return largest_channel(largest_channel(largest_channel(largest, i.r), i.g), i.b);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

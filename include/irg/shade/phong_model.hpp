@@ -16,8 +16,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The integer that x is, or -1 when it is none of 0 to 1024.
 template <Scalar T>
@@ -34,8 +33,7 @@ constexpr int small_integer(T x) noexcept {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -54,8 +54,7 @@ concept TextureRaster = ReadableRaster<R> && requires(const pixel_of<R>& texel) 
 template <TextureRaster R>
 using texel_value_of = decltype(texel_value(std::declval<const pixel_of<R>&>()));
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The greatest integer that is not greater.
 // needs   |x| < 2^31
@@ -131,8 +130,7 @@ IRG_INLINE constexpr V between_texels(const V& a, const V& b, const F& t) noexce
   return per_channel([&](const F& from, const F& to) { return from + product(to - from, t); }, a, b);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

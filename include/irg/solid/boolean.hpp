@@ -68,8 +68,7 @@ struct solid_boolean_result {
   solid_boolean_counts counts{};  // where status is done
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 constexpr bool is_in_combination(bool first, bool second, boolean_operation operation) noexcept {
   switch (operation) {
@@ -193,8 +192,7 @@ constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

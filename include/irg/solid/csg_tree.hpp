@@ -35,8 +35,7 @@ struct csg_tree {
   }
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Whether what lies in the bodies b with in[b] != 0 alone is in a tree's.
 template <class Steps>
@@ -53,8 +52,7 @@ constexpr bool is_in_steps(const Steps& steps, const std::vector<unsigned char>&
   return !scratch.empty() && scratch.back() != 0;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -11,8 +11,7 @@
 #include <irg/solid/point_in_solid.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Adds the determinant of the rows a, b, c, times factors.
 template <int K, class P, class... X>
@@ -44,8 +43,7 @@ constexpr double quotient_of_sum(const exact_accumulator<K>& sum, int shift, con
   return is_small ? quotient * 0x1p-512 : quotient;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

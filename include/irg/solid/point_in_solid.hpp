@@ -21,9 +21,7 @@
 #include <irg/mesh/triangulate.hpp>
 #include <irg/solid/detail/point_in_solid_steps.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// How often a closed surface runs round p: 1 inside of a body whose faces are counter-clockwise seen from outside, -1
 /// where they are turned inside out, 2 where two bodies overlap.
@@ -80,5 +78,4 @@ template <SpaceMesh M>
   return where;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -13,8 +13,7 @@
 #include <irg/solid/point_in_solid.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Half the solid angle of a triangle seen from the origin, positive where it turns its back; 0 with a corner there.
 constexpr double half_solid_angle(const vec<double, 3>& to_a, const vec<double, 3>& to_b,
@@ -37,8 +36,7 @@ constexpr vec<double, 3> way_to(const P& p, const P& q) noexcept {
           part(coordinate(q, 2)) - part(coordinate(p, 2))};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

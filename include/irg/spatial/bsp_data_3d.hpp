@@ -70,8 +70,7 @@ struct bsp_fault {
   friend constexpr bool operator==(const bsp_fault&, const bsp_fault&) = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T>
 constexpr bool has_area(const bsp_data_3d<T>& d, std::uint32_t triangle) noexcept {
@@ -113,8 +112,7 @@ constexpr bsp_fault find_node_fault(const bsp_data_3d<T>& d) {
   return {};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

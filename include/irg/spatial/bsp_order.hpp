@@ -64,8 +64,7 @@ struct IRG_APART linear_form {
   point<double, N> origin{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A normal made as long that its greatest coordinate is 1 or -1; zero where that is `least` or less.
 template <int N>
@@ -117,8 +116,7 @@ constexpr linear_form<N> form_along(const vec<double, N>& normal) noexcept {
   return f;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -26,8 +26,7 @@ concept RayTest = Floating<T> && requires(const F& test, std::uint32_t number, c
   { test(number, r) } -> std::convertible_to<std::optional<T>>;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Calls use(number, t) for the primitives of a leaf that the ray meets, until it gives true; for those at whose place
 // of the order asks(place) holds.
@@ -48,8 +47,7 @@ IRG_INLINE constexpr ray<T, 3> from_zero(ray<T, 3> r) noexcept {
   return r;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

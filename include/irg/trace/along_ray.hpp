@@ -23,8 +23,7 @@ struct free_run {
   constexpr bool operator==(const free_run&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The most steps from one time that do not end after another, at most 2^53. A template, so that including it makes
 // nothing of the exact engine.
@@ -43,8 +42,7 @@ constexpr std::int64_t whole_steps(std::same_as<double> auto from, double to, do
   return static_cast<std::int64_t>(n);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

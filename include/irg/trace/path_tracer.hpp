@@ -31,8 +31,7 @@ struct path_options {
   std::uint64_t seed = 1;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Numbers from 0 to 1, made of integers alone (SplitMix64 of Steele, Lea and Flood).
 class path_numbers {
@@ -59,8 +58,7 @@ constexpr vec<T, 3> sample_cosine_hemisphere(const vec<T, 3>& n, T u, T v) noexc
   return x * (radius * cos(angle)) + y * (radius * sin(angle)) + n * sqrt(T(1) - u);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// A world made ready for paths: its emitters.
 /// needs   a world that outlives it

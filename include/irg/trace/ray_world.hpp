@@ -53,8 +53,7 @@ struct surface_point {
   T reach{};  // the largest coordinate near by, which `at` is rounded by
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A power of two that brings the largest coordinate of two vectors near 1, so that products of them neither overflow
 // nor vanish at any scale; 0 where there is none.
@@ -67,8 +66,7 @@ IRG_INLINE constexpr T scale_of(const vec<T, 3>& a, const vec<T, 3>& b) noexcept
   return converted<T>(normalizing_power_of_two(widened(greater(largest, least))));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// Bodies, the light on them, and what rays see that meet none.
 /// needs   lights that outlive the world

@@ -22,8 +22,7 @@ struct area_light {
   rgb<T> intensity{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // What a triangle hides of the rod ab from p: the parts of it, 0 to 1. In the plane of p, a and b, with q = p + s (a -
 // p) + t (b - p), a triangle is a piece of a line, of which the part with s, t >= 0 and s + t <= 1 hides t / (s + t).
@@ -72,8 +71,7 @@ constexpr std::pair<T, T> hidden_part(const point<T, 3>& p, const vec<T, 3>& a, 
   return {lesser(first, last), greater(first, last)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -24,8 +24,7 @@ struct trace_limits {
   shadow_rays shadows = shadow_rays::on;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class T>
 IRG_INLINE constexpr rgb<T> filtered_light(const rgb<T>& a, const rgb<T>& b) noexcept {
@@ -44,8 +43,7 @@ IRG_INLINE constexpr point<T, 3> offset_origin(const surface_point<T>& s, const 
   return s.at + face * (product(s.reach, std::numeric_limits<T>::epsilon()) * roundings);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

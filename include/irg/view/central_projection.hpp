@@ -20,8 +20,7 @@ enum class projection_origin {
   eye  // z away from the viewer, the picture plane at z = distance: left-handed
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class T>
 constexpr bool is_distance(const T& d) noexcept {
@@ -31,8 +30,7 @@ constexpr bool is_distance(const T& d) noexcept {
     return T(0) < d;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

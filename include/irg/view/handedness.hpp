@@ -7,8 +7,7 @@
 #include <irg/math/mat.hpp>
 #include <irg/view/camera_frame.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The same homogeneous position in coordinates of the other handedness.
 /// exact   z changes sign, nothing is rounded
@@ -40,5 +39,4 @@ template <class T>
   return generate_mat<T, 4, 4>([&](int r, int c) { return (r == 2) != (c == 2) ? T(T(0) - m(r, c)) : m(r, c); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -17,8 +17,7 @@ enum class [[nodiscard]] look_at_status {
   not_finite  // a coordinate is NaN or infinite, or the eye or the target too far out for the matrix to be finite
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Whether no coordinate is NaN or larger than the limit.
 template <Coordinates C>
@@ -37,8 +36,7 @@ constexpr vec<T, 3> axis_least_aligned(const vec<T, 3>& v) noexcept {
   return generate_coordinates<vec<T, 3>>([&](int i) { return i == least ? T(1) : T(0); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

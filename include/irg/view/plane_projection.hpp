@@ -25,8 +25,7 @@ enum class [[nodiscard]] plane_projection_status {
   not_representable  // an entry of the matrix would overflow
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Entry (r, c) is (height * [r == c] - eye[r] * plane[c]) / height, with height = the sum of all eye[k] * plane[k]. On
 // the diagonal the height's own product cancels, so it is left out instead of subtracted.
@@ -66,8 +65,7 @@ constexpr checked<mat<T, 4, 4>, plane_projection_status> refused_plane_projectio
   return {identity<T, 4>(), why};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -17,7 +17,7 @@ namespace irg {
 /// axis' tip in either case.
 enum class polar_axis {
   y_up,  // azimuth from +z towards +x; Hank's
-  z_up  // azimuth from +x towards +y; geography's, for the course's scene
+  z_up  // azimuth from +x towards +y; geography's, for the lecture's scene
 };
 
 /// A displacement as its length and two angles.
@@ -50,8 +50,7 @@ struct orbit_limits {
   T lowest = -pi<T> / T(2), highest = pi<T> / T(2);
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // (x, y, z) of y_up in the world of the axis given: a cyclic exchange, which keeps the handedness; and back.
 template <class C>
@@ -75,8 +74,7 @@ constexpr T angle_or_zero(T sine, T cosine) noexcept {
   return sine == T(0) && cosine == T(0) ? T(0) : atan2(sine + T(0), cosine);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -44,8 +44,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class T>
 constexpr checked<mat<T, 4, 4>, projection_status> refused(projection_status why) noexcept {
@@ -92,8 +91,7 @@ constexpr perspective_depth<T> depth_of_perspective(T z_near, T z_far, depth_ran
   return {-far_share, -offset};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

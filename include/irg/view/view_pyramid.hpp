@@ -64,8 +64,7 @@ template <Floating T>
 template <Scalar T>
 using pyramid_corner_points = volume_corners<point<T, 3>>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The corners of the screen, moved along their rays by a factor for the near end and one for the far end.
 template <class T>
@@ -80,8 +79,7 @@ constexpr pyramid_corner_points<T> corners_by_factors(const view_pyramid<T>& p, 
   return corners;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

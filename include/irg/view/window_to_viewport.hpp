@@ -38,8 +38,7 @@ struct window_mapping {
   bool operator==(const window_mapping&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <class T>
 constexpr bool all_at_most_half(std::initializer_list<T> numbers) noexcept {
@@ -60,8 +59,7 @@ constexpr T representable_scale(const T& a, const T& b) noexcept {
   return a / b;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

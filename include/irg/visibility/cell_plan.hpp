@@ -69,8 +69,7 @@ struct plan_finding {
   constexpr bool operator==(const plan_finding&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // On which side of the line ab the corners of a cell lie that are not on it; 0 when there are corners on both sides.
 template <class T>
@@ -135,8 +134,7 @@ constexpr plan_finding find_portal_defect(const cell_plan<T>& plan, std::size_t 
   return {};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// A portal as one passes it: into which cell, and which of its ends are to the right and to the left.
 template <Floating T>

@@ -55,8 +55,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // From the leaves of a BSP tree to convex cells and portals. Leaves are lists of lines, and whether a line divides one
 // is decided exactly; corners are rounded once, so that two leaves round the same corner alike. What rounding bends out
@@ -293,8 +292,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

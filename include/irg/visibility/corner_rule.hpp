@@ -15,8 +15,7 @@ enum class corner_rule {
   closed,  // when any full cell or wall touches it
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A step over an edge or a vertex: from a cell to the one that lies ahead along each axis of `axes`, bits 1, 2 and 4.
 // The cells round it are the subsets of `axes`.
@@ -77,6 +76,5 @@ constexpr bool stops_at_corner(const G& g, const corner_step& step, corner_rule 
   return (reached >> step.axes & 1) == 0 && rule == corner_rule::pinch;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

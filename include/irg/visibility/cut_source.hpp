@@ -31,8 +31,7 @@ struct cut_segment {
   std::vector<segment<T, 2>> obstacles;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A chain of edges and obstacles. First the ends of obstacles on edges become corners, and obstacles along edges are
 // cut at corners: these are edges then, or in none. When an edge is bent where an obstacle crosses it, such obstacles
@@ -115,8 +114,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

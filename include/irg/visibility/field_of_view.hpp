@@ -120,8 +120,7 @@ template <CellGrid G>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The cells that are seen from one in space, found sector by sector.
 //
@@ -445,8 +444,7 @@ constexpr void sweep(const walled_grid& map, const cell3& viewer, const view_opt
   if constexpr (counts) count_looks(viewer, o.radius, memory);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -62,8 +62,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // From a plan to its guards: the plan is cut along the sight lines at which what a corner sees begins or ends; each
 // part is asked from which corners it is seen; corners are chosen until each part has one.
@@ -319,8 +318,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -20,14 +20,12 @@
 #include <irg/visibility/visibility_polygon.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T>
 class wall_tiles;
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -85,8 +83,7 @@ private:
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Walls sorted into the tiles that they may meet: too many of them, never too few. The tile of a point is a rounded
 // number that never falls as a coordinate rises.
@@ -474,8 +471,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

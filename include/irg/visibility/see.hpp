@@ -25,8 +25,7 @@ struct sight_rules {
   constexpr bool operator==(const sight_rules&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The steps of a segment between two centres. The plane i of axis k is crossed at (2 i + 1) / (2 n_k) of the way;
 // ahead(k, l), of 2 i_k + 1 over n_k against 2 i_l + 1 over n_l, stays below four times the greatest n.
@@ -76,8 +75,7 @@ private:
   std::int64_t xy_ = 0, xz_ = 0, yz_ = 0;  // negative: the plane of the first axis comes before that of the second
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

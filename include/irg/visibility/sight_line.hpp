@@ -21,8 +21,7 @@ enum class sight_reach {
   onwards,  // without end: a ray through q
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // What stops sight from p towards q: where that is, is the point `at` of an obstacle that lies
 // along the way, or else the crossing with an obstacle, p being on this side of it.
@@ -69,8 +68,7 @@ constexpr bool is_hit_before(const segment<T, 2>& way, const sight_hit<T>& x, co
   return side_of_crossing(way, x.obstacle, y.obstacle) == y.side;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -16,8 +16,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Marks the cells of a quadrant that light touches, if only with a corner.
 struct light_marks {
@@ -36,8 +35,7 @@ struct light_marks {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// What units on a map see. (A template, so that whoever does not use it does not compile it.)
 template <std::same_as<walled_grid> Map = walled_grid>

@@ -81,8 +81,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A ring in two of its coordinates, in which its first three corners are not on a line; empty where there are none.
 template <Floating T>
@@ -192,8 +191,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -57,8 +57,7 @@ constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cel
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Ways through the doors of a plan in space, for potentially_visible and view_through_portals.
 
@@ -406,8 +405,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -37,8 +37,7 @@ struct viewshed_counts {
   constexpr bool operator==(const viewshed_counts&) const = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The sight line's height at n/d of its way is not below h: (eye - h) d + (target - eye) n >= 0.
 constexpr bool passes_above(std::int64_t eye, std::int64_t target, std::int64_t h, std::int64_t n,
@@ -75,8 +74,7 @@ constexpr std::int64_t steps_to(sight_steps steps, const cell3& b) noexcept {
   return n;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -82,8 +82,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // From obstacles and edges to the ring of a visibility polygon: what stops sight and where the source lies, then the
 // nearest in each direction, then the vertices.
@@ -342,8 +341,7 @@ constexpr void add_walls(Sweep& sweep, const Domain& domain, std::span<const seg
     for (std::size_t i = 0; i < std::size(domain); ++i) sweep.add_ring(domain[i]);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

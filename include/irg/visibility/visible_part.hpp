@@ -32,8 +32,7 @@ template <CellGrid G>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Light on the cells of a quadrant, for visible_percentages.
 
@@ -91,8 +90,7 @@ constexpr cell_grid cells_by_percentage(const G& map, cell viewer, const Keep& k
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

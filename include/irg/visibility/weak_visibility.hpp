@@ -77,8 +77,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Rings as the outline of a region: that they meet neither each other nor themselves, and which way each has to run so
 // that the region lies to its left.
@@ -343,8 +342,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

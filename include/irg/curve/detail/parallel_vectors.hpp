@@ -6,8 +6,7 @@
 #include <irg/math/error_free.hpp>
 #include <irg/math/length.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Whether two vectors are parallel: exactly, but for products of coordinates that vanish beside the largest ones.
 // needs   finite vectors that are not zero
@@ -20,5 +19,4 @@ constexpr bool are_parallel(const V& a, const V& b) noexcept {
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

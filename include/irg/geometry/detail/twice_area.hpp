@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include <irg/math/error_free.hpp>
-#include <irg/math/exact/known_number.hpp>
+#include <irg/math/exact/scaled_double_double.hpp>
 #include <irg/math/exact_sum.hpp>
 
 namespace irg::detail {
@@ -66,11 +66,10 @@ constexpr double ratio(const exact_accumulator<K>& n, const exact_accumulator<K>
   const exact_sum<double> parts = n.rounded_parts(shift), one_to_two = d.rounded_parts(shift);
   const double size = magnitude(parts.value);
   if ((size > 0x1p-960 && size < 0x1p960) || n.sign() == 0) return ratio(parts, one_to_two);
-  // The quotient, or the product that tells what it lacks, may leave the range: known numbers have exponents apart.
+  // The quotient, or the product that tells what it lacks, may leave the range of a double: exponents stand apart.
   const int up = -n.exponent();
   const exact_sum<double> scaled = n.rounded_parts(up);
-  return rounded_to<double>(known_number{scaled.value, scaled.error, shift - up} /
-                            known_number{one_to_two.value, one_to_two.error, 0});
+  return rounded_to<double>(scaled_double_double(scaled, shift - up) / scaled_double_double(one_to_two, 0));
 }
 
 }  // namespace IRG_ABI

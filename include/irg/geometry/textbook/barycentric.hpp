@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Barycentric coordinates as the course computes them: by the inverse of the matrix whose columns are the corners, and,
+// Barycentric coordinates as lectures compute them: by the inverse of the matrix whose columns are the corners, and,
 // where that matrix is singular, with one of its rows replaced by t1 + t2 + t3 = 1. The matrix is singular whenever the
 // plane of the triangle contains the origin; which row may then be replaced depends on the triangle. barycentric()
 // needs no such choice.
@@ -8,8 +8,7 @@
 #include <irg/geometry/barycentric.hpp>
 #include <irg/math/solve_exact.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The solution of A*t1 + B*t2 + C*t3 = T: three equations for three unknowns.
 /// needs   finite coordinates
@@ -50,5 +49,4 @@ template <Point P>
   return detail::barycentric_in(detail::axes_across(axis), a, b, c, t);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

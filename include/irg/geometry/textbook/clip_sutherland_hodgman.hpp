@@ -25,9 +25,7 @@ IRG_INLINE constexpr T boundary_value(const plane<T>& l, const P& p) noexcept {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::textbook {
-
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// What one boundary leaves of a polygon: the part where its value is positive or zero.
 /// shape   a line<T> for rings of the plane, a plane<T> for rings in space. For each edge, from the first vertex on: in
@@ -73,5 +71,4 @@ template <PolygonRing R, class Boundaries>
   return kept;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

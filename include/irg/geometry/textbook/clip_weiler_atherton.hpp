@@ -164,8 +164,7 @@ struct weiler_atherton_lists {
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The part of the subject within the clip polygon, by Weiler and Atherton's walk along entering and leaving points.
 /// shape   rings or lists of rings: outer ones counter-clockwise, holes clockwise (y up), of floats, doubles or
@@ -207,5 +206,4 @@ template <PlanePolygon A, PlanePolygon B>
   return ended(weiler_atherton_status::done);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

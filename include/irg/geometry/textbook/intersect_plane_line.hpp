@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plane and a line: the course's formula, and Hank's program's three equations in s1, s2 and t by its own Gauss
+// A plane and a line: the lecture's formula, and Hank's program's three equations in s1, s2 and t by its own Gauss
 // elimination.
 // intersect_plane_line (geometry/intersect_plane_line.hpp) is the one to use.
 #pragma once
@@ -10,10 +10,9 @@
 #include <irg/geometry/textbook/intersect_lines.hpp>
 #include <irg/math/textbook/solve_gauss.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
-/// The parameter by the course's formula, t = -(V1 R)/((V2 - V1) R), as printed for points of weight 1.
+/// The parameter by the lecture's formula, t = -(V1 R)/((V2 - V1) R), as printed for points of weight 1.
 /// gives   nothing when the divisor comes out as zero: parallel or contained, or nearly
 /// exact   in rationals; in floats each operation rounded once
 /// source  Mihajlovic 2016, 4.5
@@ -46,5 +45,4 @@ template <Real T>
   return parametric_meeting<T>{flat_relation::crossing, point_at(line, x->z), x->x, x->y, x->z};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -6,8 +6,7 @@
 
 #include <irg/geometry/line.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The line by the quotients as printed, (y - y1)/(y2 - y1) = (x - x1)/(x2 - x1).
 /// gives   nothing for equal points and for lines along an axis, whose quotients do not exist. The side of positive
@@ -23,5 +22,4 @@ template <Point P>
   return line<T>{T(-1) / width, T(1) / height, coordinate(p, 0) / width - coordinate(p, 1) / height};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

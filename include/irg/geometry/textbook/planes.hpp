@@ -9,8 +9,7 @@
 #include <irg/geometry/plane.hpp>
 #include <irg/geometry/plane_by_inversion.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The plane of a polygon by Newell's sums over the coordinates as they are, through the first vertex.
 /// gives   nothing for fewer than three vertices and when the normal comes out as zero
@@ -34,12 +33,6 @@ template <PolygonRing R>
   return detail::plane_with_normal(normal, ring_vertex(ring, 0));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
-
-namespace irg::textbook {
-inline namespace IRG_ABI {
-
 /// The formula as printed, D in the matrix and 1 on the right side: its solution ends in 1/D, not in D.
 /// needs   a d that is not zero
 /// source  Mihajlovic 2016, formula 4.3
@@ -50,12 +43,6 @@ template <HomogeneousPoint P>
                                                                                            scalar_of<P> d) noexcept {
   return irg::plane_by_inversion(p1, p2, p3, scalar_of<P>(1) / d);
 }
-
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
-
-namespace irg::textbook {
-inline namespace IRG_ABI {
 
 /// The plane whose origin is the middle point: directions a - b and c - b, origin b.
 /// gives   nothing when the points lie exactly on a line, or a coordinate is NaN or infinite
@@ -81,5 +68,4 @@ template <Point P>
   return parametric_plane<T>{detail::displacement<T>(b, a), detail::displacement<T>(b, c), detail::as_point<T>(b)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

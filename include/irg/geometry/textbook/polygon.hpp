@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Area, orientation and point location of polygons by the rules of the course. polygon_area, orientation_of and
+// Area, orientation and point location of polygons by the rules of lectures. polygon_area, orientation_of and
 // point_in_polygon are the ones to use.
 #pragma once
 
@@ -7,8 +7,7 @@
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The signed area by half the sum of x1*y2 - x2*y1 as it stands, the textbook's shoelace formula.
 /// exact   in rationals; in floats off by (n + 1) u times the sum of all |x1*y2| and |x2*y1|, which grows with the
@@ -25,7 +24,7 @@ template <PlanePolygon P>
   return T(twice / T(2));
 }
 
-/// The course's criterion 3.2: clockwise or counter-clockwise when every vertex V(i+2) lies on that side of edge i.
+/// The lecture's criterion 3.2: clockwise or counter-clockwise when every vertex V(i+2) lies on that side of edge i.
 /// gives   `degenerate` when the signs differ or one is zero. It looks at three vertices at a time: a pentagram passes,
 ///         a convex polygon with collinear vertices does not; is_convex and orientation_of decide those
 /// exact   as orientation_of
@@ -43,7 +42,7 @@ template <PlaneRing R>
   return static_cast<orientation>(first);
 }
 
-/// Rules 3.3 and 3.4 of the course as they stand, for a clockwise ring: outside when p lies on the left of some edge (a
+/// Rules 3.3 and 3.4 of lectures as they stand, for a clockwise ring: outside when p lies on the left of some edge (a
 /// positive value of its equation), inside when it lies on the right of all, boundary otherwise.
 /// needs   a clockwise convex ring without repeated vertices: an edge without length has the value 0 everywhere, so
 ///         that it takes the inside for the boundary
@@ -62,5 +61,4 @@ template <PlaneRing R>
   return all_negative ? location::inside : location::boundary;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

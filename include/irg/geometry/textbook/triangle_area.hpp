@@ -6,8 +6,7 @@
 
 #include <irg/geometry/triangle_area.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The area of the triangle with sides of these lengths by Heron's formula as the textbooks have it.
 /// exact   needles lose all digits
@@ -19,5 +18,4 @@ template <Floating T>
   return square >= 0 ? std::optional<T>(sqrt(square)) : std::nullopt;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

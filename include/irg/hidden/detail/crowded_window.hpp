@@ -8,10 +8,9 @@
 #include <vector>
 
 #include <irg/hidden/order_in_window.hpp>
-#include <irg/raster/window_coverage.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 constexpr bool is_one_pixel(const cell_window& w) noexcept {
   return w.x_last - w.x_first == 1 && w.y_last - w.y_first == 1;
@@ -94,5 +93,4 @@ constexpr const screen_face* seen_in_pixel(const std::vector<window_face>& faces
   return seen;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

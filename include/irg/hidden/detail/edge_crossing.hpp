@@ -11,8 +11,7 @@
 #include <irg/math/float_bits.hpp>
 #include <irg/raster/face_order.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // A face that hides what is behind it: clockwise on the screen (y down), depths such that the greater is the nearer.
 struct IRG_APART hiding_face {
@@ -239,5 +238,4 @@ constexpr double place_of(const edge_crossing& c, const Edge& e) noexcept {
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

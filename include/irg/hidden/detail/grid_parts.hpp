@@ -8,8 +8,7 @@
 
 #include <irg/hidden/detail/grid_sight.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // The perimeter of the facets drawn so far: of all edges met in one direction, the one that passes highest (the outer
 // perimeter) or lowest (the inner one). A ring of pieces of edges, in the sense in which directions turn. Pieces begin
@@ -295,5 +294,4 @@ private:
 };
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -14,8 +14,7 @@
 #include <irg/hidden/detail/edge_crossing.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // Lines of a picture and the points where two of them meet, exactly: a line is the side of a face, the place where the
 // planes of two faces are equally deep, or an upright or level one. Its coefficients are integers of 64, 192 or 448
@@ -486,5 +485,4 @@ private:
 };
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -5,15 +5,14 @@
 
 #include <irg/hidden/back_faces.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
-/// Whether a face is a back face by the course's rule: some edge has no vertex inside of it. Polygons with collinear
+/// Whether a face is a back face by the lecture's rule: some edge has no vertex inside of it. Polygons with collinear
 /// vertices alone count as back faces.
 /// needs   a convex polygon: of a concave one every edge may lie within the hull, and its back goes unnoticed
 /// exact   the sign of the edge (y1 - y2, x2 - x1, x1 y2 - x2 y1) at each vertex, as orient2d decides it
 /// cost    n^2 decisions
-/// source  Mihajlovic 2016, 7.3, for clockwise vertices; for counter-clockwise ones, as the same course lists them
+/// source  Mihajlovic 2016, 7.3, for clockwise vertices; for counter-clockwise ones, as the same lecture lists them
 ///         elsewhere, with the inequality reversed
 template <PlaneRing R>
 [[nodiscard]] constexpr bool is_back_by_edges(const R& projected, orientation order = orientation::clockwise) noexcept {
@@ -82,5 +81,4 @@ template <Scalar T>
                           point<T, 3>{normal.x, normal.y, normal.z}, origin) > 0;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -20,10 +20,8 @@
 #include <irg/core/is_finite.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
-#include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/polygon_area.hpp>
-#include <irg/geometry/polygons_overlap.hpp>
-#include <irg/hidden/vocabulary.hpp>
+#include <irg/hidden/textbook/newell_tests.hpp>
 
 namespace irg {
 namespace textbook {
@@ -39,25 +37,12 @@ struct depth_sorted_polygon {
 
 namespace detail {
 
-// Three corners of a polygon's plane; up is 1 where they run counter-clockwise for the viewer, -1 where clockwise,
-// and 0 for a polygon that is seen edge on, of whose plane neither side is the viewer's.
-template <Scalar T>
-struct visible_plane {
-  point<T, 3> p{}, q{}, r{};
-  int up = 0;
-};
-
-// On which sides of a plane, the viewer's and the other one, there are corners.
-struct plane_sides {
-  bool front = false, back = false;
-};
-
 // A part of a polygon, and the planes that cut it before, by their polygons' numbers.
 template <Floating T>
 struct depth_sorted_part {
   struct known_side {
     std::uint32_t plane = 0;
-    bool in_front = false;
+    int side = 0;
   };
   textbook::depth_sorted_polygon<T> polygon{};
   std::vector<known_side> known{};
@@ -69,46 +54,14 @@ struct depth_sorted_part {
 
 inline namespace IRG_ABI {
 
-template <SpaceRing R>
-constexpr std::vector<point<ring_scalar<R>, 2>> without_depth(const R& ring) {
-  std::vector<point<ring_scalar<R>, 2>> flat;
-  for (std::size_t i = 0; i < ring_size(ring); ++i) {
-    const auto& p = ring_vertex(ring, i);
-    flat.push_back({coordinate(p, 0), coordinate(p, 1)});
-  }
-  return flat;
-}
-
-template <SpaceRing R>
-constexpr visible_plane<ring_scalar<R>> visible_plane_of(const R& ring) {
-  const auto flat = without_depth(ring);
-  const auto at = [&](std::size_t i) { return to_point(ring_vertex(ring, i)); };
-  for (std::size_t i = 1; i < flat.size(); ++i)
-    for (std::size_t j = i + 1; j < flat.size(); ++j)
-      if (const int up = orient2d(flat[0], flat[i], flat[j])) return {at(0), at(i), at(j), up};
-  return {};
-}
-
-template <SpaceRing R>
-constexpr plane_sides sides_of(const R& ring, const visible_plane<ring_scalar<R>>& plane) {
-  plane_sides sides;
-  for (std::size_t i = 0; i < ring_size(ring); ++i) {
-    const int side = plane.up * orient3d(plane.p, plane.q, plane.r, to_point(ring_vertex(ring, i)));
-    sides.front = sides.front || side > 0;
-    sides.back = sides.back || side < 0;
-  }
-  return sides;
-}
-
 // What of a polygon lies on one side of a plane that cuts it; both sides get the same new points.
 template <Floating T>
 constexpr std::vector<point<T, 3>> ring_on_side(const std::vector<point<T, 3>>& ring, const visible_plane<T>& plane,
                                                 int side) {
   std::vector<point<T, 3>> kept;
-  const auto where = [&](const point<T, 3>& c) { return plane.up * orient3d(plane.p, plane.q, plane.r, c); };
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-    const int at_a = where(a), at_b = where(b);
+    const int at_a = viewed_side(plane, a), at_b = viewed_side(plane, b);
     if (at_a == side || at_a == 0) kept.push_back(a);
     if (at_a * at_b < 0)
       kept.push_back(at_a < 0 ? intersect_plane_line(plane.p, plane.q, plane.r, a, b).at
@@ -128,59 +81,6 @@ constexpr T area_in_common(std::vector<point<T, 3>> p, const std::vector<point<T
   const T area = polygon_area(without_depth(p));
   return area < 0 ? -area : area;
 }
-
-// Whether the extents in x (0) or y (1) have no stretch in common.
-template <SpaceRing P, SpaceRing Q>
-constexpr bool extents_apart(const P& p, const Q& q, int axis) noexcept {
-  const auto a = enclosing_box(p), b = enclosing_box(q);
-  return is_empty(a) || is_empty(b) || !(b.low[axis] < a.high[axis]) || !(a.low[axis] < b.high[axis]);
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
-
-namespace textbook {
-inline namespace IRG_ABI {
-
-/// Whether a test says that P does not hide Q.
-/// needs   one of the first five of newell_step, and simple flat polygons with finite coordinates
-/// gives   true for extents and projections that touch, but have no area in common; corners on a plane count for either
-///         side. Of a polygon that is seen edge on the plane tests say nothing: its projection has no area
-/// exact   for the corners as they are; a polygon's plane is that of its first corner and the first two after it with
-///         which it has area on the screen
-/// cost    linear, but for the last: that of polygons_overlap. Allocates
-/// source  Hidden-surface slides, after Newell, Newell and Sancha 1972
-template <SpaceRing P, SpaceRing Q>
-  requires std::same_as<ring_scalar<P>, ring_scalar<Q>>
-[[nodiscard]] constexpr bool does_not_hide_by(newell_step test, const P& p, const Q& q) {
-  if (test == newell_step::x_apart) return detail::extents_apart(p, q, 0);
-  if (test == newell_step::y_apart) return detail::extents_apart(p, q, 1);
-  if (test == newell_step::behind_plane) {
-    const auto plane = detail::visible_plane_of(q);
-    return plane.up != 0 && !detail::sides_of(p, plane).front;
-  }
-  if (test == newell_step::in_front_of_plane) {
-    const auto plane = detail::visible_plane_of(p);
-    return plane.up != 0 && !detail::sides_of(q, plane).back;
-  }
-  return polygons_overlap(detail::without_depth(p), detail::without_depth(q)) != polygon_overlap::overlapping;
-}
-
-/// What the list has to do with P and Q: the first of the five tests that says that P does not hide Q; `moved`, Q
-/// before P, where none does.
-template <SpaceRing P, SpaceRing Q>
-  requires std::same_as<ring_scalar<P>, ring_scalar<Q>>
-[[nodiscard]] constexpr newell_step newell_step_of(const P& p, const Q& q) {
-  for (const newell_step test : {newell_step::x_apart, newell_step::y_apart, newell_step::behind_plane,
-                                 newell_step::in_front_of_plane, newell_step::projections_apart})
-    if (does_not_hide_by(test, p, q)) return test;
-  return newell_step::moved;
-}
-
-}  // namespace IRG_ABI
-}  // namespace textbook
-
-namespace detail::inline IRG_ABI {
 
 template <Floating T, class Observer>
 class depth_sorter {
@@ -211,7 +111,7 @@ public:
     std::vector<textbook::depth_sorted_polygon<T>> order;
     while (!list_.empty()) {
       if (!may_be_drawn()) continue;
-      note(newell_step::drawn, list_.back(), list_.back());
+      observer_(newell_step::drawn, list_.back().polygon.number, list_.back().polygon.number);
       order.push_back(std::move(list_.back().polygon));
       list_.pop_back();
     }
@@ -219,10 +119,6 @@ public:
   }
 
 private:
-  constexpr void note(newell_step what, const part& p, const part& q) {
-    observer_(what, p.polygon.number, q.polygon.number);
-  }
-
   constexpr void measure(part& p) {
     p.made = made_++;
     const auto all = enclosing_box(p.polygon.corners);
@@ -236,18 +132,18 @@ private:
     list_.insert(place, std::move(p));
   }
 
-  constexpr plane_sides sides(const part& p, std::uint32_t plane) const {
+  constexpr bool reaches(const part& p, std::uint32_t plane, int side) const {
     for (const auto& k : p.known)
-      if (k.plane == plane) return {k.in_front, !k.in_front};
-    return sides_of(p.polygon.corners, planes_[plane]);
+      if (k.plane == plane) return k.side == side;
+    return detail::has_corner_on(p.polygon.corners, planes_[plane], side);
   }
   constexpr bool does_not_hide_part(const part& p, const part& q) const {
     const auto &a = p.polygon, &b = q.polygon;
     const auto by = [&](newell_step which) { return textbook::does_not_hide_by(which, a.corners, b.corners); };
     return a.number == b.number || std::find(p.let_pass.begin(), p.let_pass.end(), q.made) != p.let_pass.end() ||
            by(newell_step::x_apart) || by(newell_step::y_apart) ||
-           (planes_[b.number].up != 0 && !sides(p, b.number).front) ||
-           (planes_[a.number].up != 0 && !sides(q, a.number).back) || by(newell_step::projections_apart);
+           (planes_[b.number].up != 0 && !reaches(p, b.number, 1)) ||
+           (planes_[a.number].up != 0 && !reaches(q, a.number, -1)) || by(newell_step::projections_apart);
   }
 
   // Whether the last of the list hides none of the others; if not, the list is changed.
@@ -257,7 +153,7 @@ private:
       part& q = list_[i];
       if (p.nearest <= q.farthest || does_not_hide_part(p, q)) continue;
       if (q.moved) return break_cycle(i), false;
-      note(newell_step::moved, p, q);
+      observer_(newell_step::moved, p.polygon.number, q.polygon.number);
       q.moved = true;
       std::rotate(list_.begin() + static_cast<std::ptrdiff_t>(i), list_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                   list_.end());
@@ -292,16 +188,14 @@ private:
   constexpr bool split(std::size_t cut, std::size_t by) {
     const part whole = list_[cut];
     const std::uint32_t number = list_[by].polygon.number;
-    const visible_plane<T>& plane = planes_[number];
-    const plane_sides both = sides(whole, number);
-    if (plane.up == 0 || number == whole.polygon.number || !both.front || !both.back) return false;
-    note(newell_step::split_by_plane, list_[by], whole);
+    if (number == whole.polygon.number || !reaches(whole, number, 1) || !reaches(whole, number, -1)) return false;
+    observer_(newell_step::split_by_plane, number, whole.polygon.number);
     list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(cut));
     for (part& p : list_) p.moved = false;
-    for (const bool in_front : {true, false}) {
+    for (const int side : {1, -1}) {
       part half{
-          {ring_on_side(whole.polygon.corners, plane, in_front ? 1 : -1), whole.polygon.number}, whole.known, {}, {}};
-      half.known.push_back({number, in_front});
+          {ring_on_side(whole.polygon.corners, planes_[number], side), whole.polygon.number}, whole.known, {}, {}};
+      half.known.push_back({number, side});
       insert(std::move(half));
     }
     return true;
@@ -313,10 +207,10 @@ private:
   std::uint32_t made_ = 0;
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace IRG_ABI
+}  // namespace detail
 
-namespace textbook {
-inline namespace IRG_ABI {
+namespace textbook::inline IRG_ABI {
 
 /// Polygons, and parts of those that had to be split, in an order in which the painter may draw them: none hides one
 /// that is drawn after it.
@@ -338,6 +232,5 @@ template <RingSequence R, class Observer = no_newell_observer>
   return sorter.sorted();
 }
 
-}  // namespace IRG_ABI
-}  // namespace textbook
+}  // namespace textbook::inline IRG_ABI
 }  // namespace irg

@@ -97,33 +97,15 @@ template <Point P>
   return way(b, 0) * way(c, 1) - way(b, 1) * way(c, 0);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
-
-namespace irg::detail::inline IRG_ABI {
-
-template <Point P>
-constexpr bool turns_left_rounded(const P& a, const P& b, const P& c) noexcept {
-  return scalar_of<P>(0) < textbook::turn_rounded(a, b, c);
-}
-template <Point P>
-constexpr bool turns_right_rounded(const P& a, const P& b, const P& c) noexcept {
-  return textbook::turn_rounded(a, b, c) < scalar_of<P>(0);
-}
-
-}  // namespace irg::detail::inline IRG_ABI
-
-namespace irg::textbook {
-inline namespace IRG_ABI {
-
 /// Of a facet beside the eye in one coordinate, F1 to F4 by rising angle, F1F4 drawn: the corners whose edges can leave
 /// a perimeter.
 /// source  Special-cases chapter, 3 (tables I and II)
 template <Point P>
   requires(size_of<P> == 2)
 [[nodiscard]] constexpr leaving_corners leaving_side_corners(const std::array<P, 4>& f) noexcept {
-  const bool second = detail::turns_left_rounded(f[0], f[3], f[1]);
-  const bool third = detail::turns_left_rounded(f[0], f[3], f[2]);
+  const scalar_of<P> zero(0);
+  const bool second = zero < turn_rounded(f[0], f[3], f[1]);
+  const bool third = zero < turn_rounded(f[0], f[3], f[2]);
   if (second == third) return second ? leaving_corners{0, 1234} : leaving_corners{1234, 0};
   return second ? leaving_corners{234, 123} : leaving_corners{123, 234};
 }
@@ -133,9 +115,10 @@ template <Point P>
 template <Point P>
   requires(size_of<P> == 2)
 [[nodiscard]] constexpr leaving_corners leaving_corner_corners(const std::array<P, 4>& f) noexcept {
-  const bool second = detail::turns_left_rounded(f[0], f[3], f[1]);
-  const bool third = detail::turns_left_rounded(f[0], f[1], f[2]);
-  const bool fourth = detail::turns_left_rounded(f[1], f[3], f[2]);
+  const scalar_of<P> zero(0);
+  const bool second = zero < turn_rounded(f[0], f[3], f[1]);
+  const bool third = zero < turn_rounded(f[0], f[1], f[2]);
+  const bool fourth = zero < turn_rounded(f[1], f[3], f[2]);
   if (third && fourth) return {0, 134};
   if (!third && !fourth) return {134, 0};
   if (second) return third ? leaving_corners{34, 134} : leaving_corners{13, 134};
@@ -149,8 +132,9 @@ template <Point P>
   requires(size_of<P> == 2)
 [[nodiscard]] constexpr perimeter_crossing crossing_of_perimeter(const P& p1, const P& p2, const P& f1,
                                                                  const P& f2) noexcept {
-  const bool c1 = !detail::turns_left_rounded(p1, p2, f1), c2 = !detail::turns_left_rounded(p1, p2, f2);
-  const bool c3 = !detail::turns_right_rounded(f1, f2, p1), c4 = !detail::turns_right_rounded(f1, f2, p2);
+  const scalar_of<P> zero(0);
+  const bool c1 = !(zero < turn_rounded(p1, p2, f1)), c2 = !(zero < turn_rounded(p1, p2, f2));
+  const bool c3 = !(turn_rounded(f1, f2, p1) < zero), c4 = !(turn_rounded(f1, f2, p2) < zero);
   if (c1 && !c2 && c3 && !c4) return perimeter_crossing::inwards;
   if (!c1 && c2 && !c3 && c4) return perimeter_crossing::outwards;
   return perimeter_crossing::none;

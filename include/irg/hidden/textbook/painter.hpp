@@ -11,8 +11,7 @@
 #include <irg/core/is_finite.hpp>
 #include <irg/geometry/compare.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The numbers of objects in the order in which the naive painter draws them: the one whose centre is farthest from the
 /// camera first, of equally far ones the lower number first.
@@ -34,5 +33,4 @@ template <PolygonRing Centres, Point P>
   return order;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -8,8 +8,7 @@
 
 #include <irg/core/config.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 struct crc32_table {
   std::uint32_t of[256] = {};
@@ -49,5 +48,4 @@ constexpr std::uint32_t adler32(std::span<const std::uint8_t> bytes) noexcept {
   return sum_of_sums << 16 | sum;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

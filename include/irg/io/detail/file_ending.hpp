@@ -7,8 +7,7 @@
 
 #include <irg/io/detail/text_cursor.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// Whether the name ends so, in either case.
 /// needs   `lower` has no capitals
@@ -16,5 +15,4 @@ constexpr bool has_ending(std::string_view name, std::string_view lower) noexcep
   return name.size() >= lower.size() && is_word(name.substr(name.size() - lower.size()), lower);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -10,8 +10,7 @@
 
 #include <irg/io/detail/checksum.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// Bits of bytes, the lowest first. Behind the end stand zeros, and `overrun` tells that some were used.
 struct bit_reader {
@@ -265,5 +264,4 @@ private:
   prefix_decoder<32> distances_{};
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

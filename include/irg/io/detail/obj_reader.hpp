@@ -21,8 +21,7 @@ namespace irg {
 /// What to do with statements that the mesh has no place for: points, lines, curves, smoothing groups and the like.
 enum class obj_unused { skip, refuse };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The sentences for a bad index of one kind.
 struct obj_index_messages {
@@ -334,7 +333,6 @@ constexpr result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused u
   return error_at(text, reader.place, reader.message);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 }  // namespace irg

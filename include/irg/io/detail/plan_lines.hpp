@@ -24,8 +24,7 @@ struct named_plan {
 
 }  // namespace irg
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Where a part of a plan of T's stands in the text.
 template <class T>
@@ -111,5 +110,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -9,8 +9,7 @@
 
 #include <irg/core/config.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 enum class png_filter : std::uint8_t { none, sub, up, average, paeth };
 
@@ -98,5 +97,4 @@ constexpr void write_filtered(const std::same_as<png_row> auto& r, png_filter fi
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

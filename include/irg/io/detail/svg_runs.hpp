@@ -9,9 +9,7 @@
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/picture_limits.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // fill="#rrggbb" or stroke="#rrggbb", and the opacity where it is not full.
 template <class Bytes>
@@ -59,6 +57,4 @@ constexpr int end_of_equal_rows(const R& raster, int y) {
   return end;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -8,8 +8,7 @@
 #include <irg/io/detail/text_place.hpp>
 #include <irg/math/decimal.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// The text from `at` on. What returns bool says whether it went well; `place` and `message` tell why when it did not.
 struct text_cursor {
@@ -119,5 +118,4 @@ constexpr bool is_word(std::string_view word, std::string_view lower) noexcept {
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -7,8 +7,7 @@
 
 #include <irg/core/result.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 constexpr bool is_line_break(char c) noexcept { return c == '\n' || c == '\r'; }
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
@@ -45,5 +44,4 @@ constexpr const char* number_error(const char* p, const char* last) noexcept {
   return infinite || nan ? "number is not finite" : "expected a decimal number";
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

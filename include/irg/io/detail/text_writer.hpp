@@ -8,8 +8,7 @@
 
 #include <irg/math/decimal.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class Bytes>
 constexpr void append_text(Bytes& out, std::string_view text) {
@@ -45,5 +44,4 @@ constexpr void append_line_of(Bytes& out, const Name& name) {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -50,8 +50,7 @@ IRG_INLINE constexpr double rounded_tangent(const quadrant_angle& angle) noexcep
   const unrounded t = renormalised(near_centre(tangent_table[i], tangent_polynomials[i], size - c, rest));
   if ((angle.quadrant & 1) == 0) return times_sign(t.value, angle.rest.value);
   const double inverse = 1 / t.value;
-  const unrounded back = fast_two_product(inverse, t.value);
-  const double miss = ((1 - back.value) - back.error) - product(inverse, t.error);
+  const double miss = residual(1, inverse, t.value) - product(inverse, t.error);
   return times_sign(-(inverse + product(miss, inverse)), angle.rest.value);
 }
 
@@ -93,8 +92,7 @@ IRG_INLINE constexpr double angle_of_moderate(double y, double x, bool is_backwa
   const double large = is_steep ? y : x;
   const double inverse = 1 / large;
   const double quotient = product(lesser_one, inverse);
-  const unrounded back = fast_two_product(quotient, large);
-  const double rest = product((lesser_one - back.value) - back.error, inverse);
+  const double rest = product(residual(lesser_one, quotient, large), inverse);
   return angle_of_quotient(quotient, rest, is_steep, is_backward);
 }
 
@@ -133,8 +131,7 @@ constexpr double arctangent(double x) noexcept {
   if (size <= 1) return with_sign(round(arctangent_near(size, 0)), x);
   if (size >= 0x1p60) return with_sign(half_pi_high, x);
   const double inverse = 1 / size;
-  const unrounded back = fast_two_product(inverse, size);
-  const unrounded angle = arctangent_near(inverse, product((1 - back.value) - back.error, inverse));
+  const unrounded angle = arctangent_near(inverse, product(residual(1, inverse, size), inverse));
   return with_sign(rounded_sum(right_angle, negated(angle)), x);
 }
 
@@ -143,8 +140,7 @@ constexpr double arctangent(double x) noexcept {
 IRG_INLINE constexpr unrounded half_arccosine(double x) noexcept {
   const double square = 0.5 * (1 - x);
   const double root = sqrt(square);
-  const unrounded back = fast_two_product(root, root);
-  return arcsine_near(root, product((square - back.value) - back.error, 0.5 / root));
+  return arcsine_near(root, product(residual(square, root, root), 0.5 / root));
 }
 
 /// asin.

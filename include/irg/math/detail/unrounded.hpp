@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic on unrounded numbers, an exact_sum<double> whose value is near the sum but need not be the sum rounded:
-// the last steps of the elementary functions are taken in it. Relative errors are of the order 2^-102.
+// Double-double arithmetic without a look at the range: on unrounded numbers, an exact_sum<double> whose value is near
+// the sum but need not be the sum rounded. The last steps of the elementary functions are taken in it; with a bound of
+// the error beside it, it is what values_of computes in first, with an exponent of its own, a scaled_double_double.
+// Relative errors are of the order 2^-102.
 #pragma once
 
 #include <irg/core/conversion.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/sqrt.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 using unrounded = exact_sum<double>;
 
@@ -19,30 +20,58 @@ IRG_INLINE constexpr double round(const unrounded& x) noexcept { return x.value 
 /// The same number with the value rounded.
 IRG_INLINE constexpr unrounded renormalised(const unrounded& x) noexcept { return fast_two_sum(x.value, x.error); }
 
+/// a + b, off by some 2^-104 of |a| + |b|.
 IRG_INLINE constexpr unrounded add(const unrounded& a, const unrounded& b) noexcept {
   const unrounded heads = two_sum(a.value, b.value);
   return fast_two_sum(heads.value, heads.error + (a.error + b.error));
 }
 
-IRG_INLINE constexpr unrounded multiply(const unrounded& a, const unrounded& b) noexcept {
-  const unrounded heads = fast_two_product(a.value, b.value);
+/// a + b, off by at most 3u^2 + 13u^3 of the sum, u = 2^-53 (float: 2^-24), also where a and b cancel.
+/// needs   values that are the numbers rounded, heads == two_sum(a.value, b.value)
+/// source  Li et al. 2002 (AccurateDWPlusDW); Joldes, Muller and Popescu 2017 (its bound)
+template <Floating T>
+IRG_INLINE constexpr exact_sum<T> accurate_sum(const exact_sum<T>& heads, const exact_sum<T>& a,
+                                               const exact_sum<T>& b) noexcept {
+  const exact_sum<T> tails = two_sum(a.error, b.error);
+  const exact_sum<T> upper = fast_two_sum(heads.value, heads.error + tails.value);
+  return fast_two_sum(upper.value, tails.error + upper.error);
+}
+IRG_INLINE constexpr unrounded accurate_sum(const unrounded& a, const unrounded& b) noexcept {
+  return accurate_sum(two_sum(a.value, b.value), a, b);
+}
+
+/// a * b, off by at most 5u^2 of it.
+/// needs   heads == two_product(a.value, b.value)
+/// source  Dekker 1971 (DWTimesDW1); Joldes, Muller and Popescu 2017 (its bound)
+template <Floating T>
+IRG_INLINE constexpr exact_sum<T> multiply(const exact_sum<T>& heads, const exact_sum<T>& a,
+                                           const exact_sum<T>& b) noexcept {
   return fast_two_sum(heads.value, heads.error + (product(a.value, b.error) + product(a.error, b.value)));
+}
+IRG_INLINE constexpr unrounded multiply(const unrounded& a, const unrounded& b) noexcept {
+  return multiply(fast_two_product(a.value, b.value), a, b);
+}
+
+/// a - quotient * b, exactly but for the last rounding, where quotient is about a/b.
+IRG_INLINE constexpr double residual(double a, double quotient, double b) noexcept {
+  const unrounded back = fast_two_product(quotient, b);
+  return (a - back.value) - back.error;
+}
+IRG_INLINE constexpr double residual(const unrounded& a, double quotient, const unrounded& b) noexcept {
+  return residual(a.value, quotient, b.value) + (a.error - product(quotient, b.error));
 }
 
 /// needs   values that are the numbers rounded
 IRG_INLINE constexpr unrounded divide(const unrounded& a, const unrounded& b) noexcept {
   const double quotient = a.value / b.value;
-  const unrounded back = fast_two_product(quotient, b.value);
-  const double rest = (a.value - back.value) - back.error + (a.error - product(quotient, b.error));
-  return {quotient, rest / b.value};
+  return {quotient, residual(a, quotient, b) / b.value};
 }
 
 /// The square root of an unrounded number: the rounded root and one step of Newton's iteration.
 IRG_INLINE constexpr unrounded unrounded_sqrt(const unrounded& x) noexcept {
   const double root = sqrt(x.value);
   if (!(root > 0)) return {root, 0.0};
-  const unrounded square = fast_two_product(root, root);
-  return {root, ((x.value - square.value) - square.error + x.error) / (2 * root)};
+  return {root, (residual(x.value, root, root) + x.error) / (2 * root)};
 }
 
 /// Whether every number within 2^-52 * Units of y's size rounds to the same float.
@@ -120,5 +149,4 @@ IRG_INLINE constexpr T nearest_scaled(const unrounded& x, int e, const Side& sid
   return nearest_in_units<T>(x, e, side);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

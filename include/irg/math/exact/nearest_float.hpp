@@ -19,7 +19,7 @@ inline namespace IRG_ABI {
 
 /// The number of x among the floating-point numbers in order: zero (either) is 0, its neighbours are 1 and -1.
 template <Floating T>
-[[nodiscard]] constexpr float_ordinal<T> ordinal_of(T x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr float_ordinal<T> ordinal_of(T x) noexcept {
   using J = float_ordinal<T>;
   const auto bits = std::bit_cast<J>(x);
   return bits < 0 ? (std::numeric_limits<J>::min)() - bits : bits;

@@ -37,19 +37,16 @@ template <int Degree, class Polynomials, class... A>
 
 namespace irg::detail::inline IRG_ABI {
 
-IRG_INLINE constexpr bool is_middling(const twofold& x) noexcept { return is_middling(known_number{x.high, x.low, 0}); }
-
 // Writes the T nearest to a/b, where `inverse` is about 1/|b|; false where bounds leave more than one, or a is not
 // middling. b is.
 template <Floating T>
-constexpr bool divides_surely(const twofold& a, const twofold& b, double inverse, T& nearest) noexcept {
+constexpr bool divides_surely(const bounded_double_double& a, const bounded_double_double& b, double inverse,
+                              T& nearest) noexcept {
   nearest = T(0);
-  if (a.high == 0 && a.bound == 0) return true;
-  if (!is_middling(a)) return false;
-  const double q = a.high / b.high;
-  const auto back = fast_two_product(q, b.high);
-  const double rest = ((a.high - back.value) - back.error) + (a.low - product(q, b.low));
-  const double correction = product(b.high < 0 ? -rest : rest, inverse), size = magnitude(q);
+  if (a.value == 0 && a.bound == 0) return true;
+  if (!is_middling(a.value)) return false;
+  const double q = a.value / b.value, rest = residual(a, q, b);
+  const double correction = product(b.value < 0 ? -rest : rest, inverse), size = magnitude(q);
   const double off = product((a.bound + product(size, b.bound)) * 2, inverse) + size * 0x1p-98;
   // What is rounded to a float must not be rounded to a double first where that could matter.
   const double error = std::is_same_v<T, float> ? greater(off, size * 0x1p-50) : off;
@@ -59,7 +56,7 @@ constexpr bool divides_surely(const twofold& a, const twofold& b, double inverse
 
 template <int Degree, Floating T, class Polynomials, class... A>
 IRG_NOINLINE constexpr auto exact_quotients_of(const Polynomials& polynomials, const A&... arguments) noexcept {
-  using number = exact_number<Degree + 1>;
+  using number = big_float<Degree + 1>;
   const auto v = polynomials(in_numbers<number>(arguments, [](const T& x) { return exactly<number>(x); })...);
   std::array<T, std::tuple_size_v<decltype(v)> - 1> nearest{};
   if (v[0].sign() == 0) return std::optional<decltype(nearest)>();
@@ -85,22 +82,22 @@ template <int Degree, class Polynomials, class... A>
   if constexpr (Floating<T>) {
     bool suits = true;
     const auto twice = [&](const T& x) IRG_INLINE_LAMBDA {
-      suits = suits && detail::suits_twofold(widened(x));
-      return detail::twofold(widened(x));
+      suits = suits && detail::suits_double_double(widened(x));
+      return detail::bounded_double_double(widened(x));
     };
     const auto stages = [&](const auto&... x) IRG_INLINE_LAMBDA {
       std::array<T, std::tuple_size_v<decltype(polynomials(x...))> - 1> nearest{};
       bool sure = suits;
       if (sure) {
         const auto v = polynomials(x...);
-        sure = v[0].is_sure() && detail::is_middling(v[0]);
-        const double inverse = sure ? 1 / magnitude(v[0].high) : 0.0;
+        sure = v[0].is_sure() && detail::is_middling(v[0].value);
+        const double inverse = sure ? 1 / magnitude(v[0].value) : 0.0;
         for (std::size_t i = 0; i < nearest.size() && sure; ++i)
           sure = detail::divides_surely(v[i + 1], v[0], inverse, nearest[i]);
       }
       return sure ? std::optional(nearest) : detail::exact_quotients_of<Degree, T>(polynomials, arguments...);
     };
-    return stages(in_numbers<detail::twofold>(arguments, twice)...);
+    return stages(in_numbers<detail::bounded_double_double>(arguments, twice)...);
   } else {
     const auto v = polynomials(in_numbers<T>(arguments, [](const T& x) { return x; })...);
     std::array<T, std::tuple_size_v<decltype(v)> - 1> nearest{};

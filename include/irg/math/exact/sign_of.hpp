@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Signs of polynomials, exactly: a polynomial is written once, as in the book, and computed in doubles with a bound of
-// the error, in twice the precision where that does not tell, and in exact numbers where neither does. For decisions
+// the error, in twice the precision where that does not tell, and in big floats where neither does. For decisions
 // that no predicate of its own makes.
 #pragma once
 
@@ -88,7 +88,7 @@ IRG_INLINE constexpr bool are_sure(const std::array<int, Size>& signs) noexcept 
 
 template <int Degree, class Signs, class Polynomial, class... A>
 IRG_NOINLINE constexpr Signs exact_sign(const Polynomial& polynomial, const A&... arguments) noexcept {
-  using number = exact_number<Degree>;
+  using number = big_float<Degree>;
   bool finite = true;
   const auto exact = [&](const auto& x) {
     finite = finite && is_finite(x);

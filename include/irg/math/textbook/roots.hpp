@@ -4,8 +4,7 @@
 
 #include <irg/math/roots.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The real roots of a*x^2 + b*x + c = 0 by the formula of the textbooks, (-b +- sqrt(b*b - 4*a*c)) / (2*a).
 /// needs   a not 0; a*c and b*b neither over- nor underflow
@@ -20,5 +19,4 @@ template <Floating T>
   return detail::two_real_roots((-b - root) / (2 * a), (-b + root) / (2 * a), discriminant == 0);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

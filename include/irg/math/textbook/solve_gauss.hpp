@@ -8,8 +8,7 @@
 
 #include <irg/math/solve.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The solution of a(i, 0) x_0 + ... = a(i, N) as Hank's program finds it.
 /// gives   nothing when it calls the system singular: also for equations that are merely small
@@ -59,5 +58,4 @@ template <Real T, int N, int M>
   return x;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -9,8 +9,7 @@
 
 #include <irg/core/config.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 /// Corners of a mesh in groups, each known by its lowest corner.
 class IRG_APART corner_groups {
@@ -32,5 +31,4 @@ private:
   std::vector<std::uint32_t> above_;
 };
 
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -22,8 +22,7 @@
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // Areas are rounded to the nearest of 255 parts. What lies half-way goes up, and so does what lies so little below it
 // that the computation's error could have put it there; thus equal areas that are computed in two ways round alike.
@@ -289,5 +288,4 @@ IRG_INLINE constexpr void area_row(Target& target, const Left& left, const Right
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -5,9 +5,7 @@
 #include <irg/raster/detail/integer_sqrt.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // One arc: k cells along and m aside from the centre, mirrored by the signs; along is x unless `upright`.
 struct conic_arc {
@@ -83,6 +81,4 @@ constexpr void symmetric_spans(const cell& centre, std::int64_t radius_y, const 
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -13,8 +13,7 @@
 #include <irg/raster/paint.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 inline constexpr int fixed_edge_bits = 35;
 inline constexpr std::int32_t fixed_edge_reach = 1 << 24;  // of coordinates, in 1/256 pixel
@@ -254,5 +253,4 @@ IRG_INLINE constexpr bool walk_ring(const R& ring, const cell_window& window, Em
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -14,9 +14,7 @@
 #include <irg/core/raster_concept.hpp>
 #include <irg/core/scalar.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // How many bytes the pixels below those of a row are further on, or 0 where that is not known.
 template <WritableRaster R>
@@ -59,6 +57,4 @@ IRG_INLINE void fill_registers(char* p, std::size_t size, const pack<T, N>& patt
   lanes<pack<T, N>>::store_bytes(p + size - step, pattern);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -7,9 +7,7 @@
 #include <irg/math/sqrt.hpp>
 #include <irg/math/floor_division.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // floor(sqrt(n)); 0 <= n < 2^62. The floating root is off by one at most, whatever the rounding of n.
 constexpr std::int64_t floor_sqrt(std::int64_t n) noexcept {
@@ -34,6 +32,4 @@ constexpr std::uint64_t floor_sqrt_wide(uint128 n) noexcept {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -16,9 +16,7 @@
 #include <irg/raster/line_style.hpp>
 #include <irg/raster/subpixel.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The area that a rectangle covers of each pixel of a row.
 //
@@ -359,6 +357,4 @@ constexpr aa_columns aa_enter_far(aa_cap_row<F, true>& row, const aa_shape& s, i
   return columns;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -13,9 +13,7 @@
 #include <irg/raster/paint.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Antialiased lines about one pixel wide and not too long, seen along their longer axis: of each step along it, such a
 // line touches four pixels aside at most.
@@ -548,6 +546,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -15,8 +15,7 @@
 #include <irg/raster/line_style.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // A line seen along its longer axis: `along` counts steps 0..n, `aside` is 0..m; signs lead back to x and y. An exact
 // tie stays on the start's side when tie is 0, goes to the end's side when it is 1.
@@ -90,6 +89,4 @@ constexpr step_range visible_steps(const bresenham_frame& f, const cell_window& 
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-
-}  // namespace irg
+}  // namespace irg::detail

@@ -17,8 +17,7 @@
 #include <irg/raster/detail/fill_kernel.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Pixel types that are mixed in lanes at run time.
 template <class P>
@@ -158,8 +157,7 @@ IRG_INLINE void mix_run(P* first, std::size_t count, const std::uint8_t* coverag
   mix_some<step>(first + i, rest, colour, load_coverages<step>(last));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

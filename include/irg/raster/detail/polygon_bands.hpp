@@ -6,8 +6,7 @@
 
 #include <irg/raster/detail/polygon_fill_kernel.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 /// The rows of a polygon within the window, and what it costs to walk it and to paint it.
 struct polygon_outline {
@@ -111,5 +110,4 @@ constexpr void sort_into_bands(Bands& b, const cell_window& w) {
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -12,8 +12,7 @@
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/convex_fill_kernel.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 template <class J>
 struct polygon_edge {
@@ -193,5 +192,4 @@ constexpr bool goes_down_and_up_once(const R& ring) {
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -9,10 +9,7 @@
 #include <irg/raster/edge_walk.hpp>
 #include <irg/raster/fill_rule.hpp>
 
-namespace irg {
-
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // What must be known of a ring before it is walked. The extent is in 1/256 pixel.
 template <class J>
@@ -116,6 +113,4 @@ constexpr ring_reach reach_of(const R& ring) {
   return reach;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The course's fill of a convex polygon, in its own words: each edge is a left or a right one; in each row L is the
+// The lecture's fill of a convex polygon, in its own words: each edge is a left or a right one; in each row L is the
 // greatest crossing with a left edge, D the least with a right edge, and the cells from L to D are drawn. Cells are the
-// points of the integer grid. What the course leaves open, which cells L and D themselves bring, is sample_rule.
+// points of the integer grid. What the lecture leaves open, which cells L and D themselves bring, is sample_rule.
 //
 // It is meant for reading and for comparison: every row asks every edge. fill_convex is the one for drawing.
 #pragma once
@@ -18,7 +18,7 @@ namespace irg::textbook {
 
 /// Which cells a row from L to D has; L and D are rarely integers.
 enum class sample_rule {
-  course,  // ceil(L) to floor(D), drawn if L < D: a row that is one point is left out
+  course,  // the rule of lectures: ceil(L) to floor(D), drawn if L < D: a row that is one point is left out
   closed,  // ceil(L) to floor(D), drawn if L <= D: all cells inside and on the boundary
   rounded,  // both ends rounded to the nearest integer, halves up, drawn if L < D
   half_open,  // L <= x < D in the rows y_min <= y < y_max: polygons side by side share no cell and leave none out
@@ -30,21 +30,7 @@ concept LatticeRing = PolygonRing<R> && (std::same_as<ring_point<R>, cell> || st
 
 }  // namespace irg::textbook
 
-namespace irg::detail {
-inline namespace IRG_ABI {
-
-// A vertex in 1/256.
-struct textbook_vertex {
-  std::int64_t x, y;
-};
-IRG_INLINE constexpr textbook_vertex textbook_vertex_of(const subpixel& p) noexcept { return {p.x, p.y}; }
-IRG_INLINE constexpr textbook_vertex textbook_vertex_of(const cell& c) noexcept {
-  return {std::int64_t{c.x} * one_pixel, std::int64_t{c.y} * one_pixel};
-}
-template <textbook::LatticeRing R>
-IRG_INLINE constexpr textbook_vertex textbook_vertex_at(const R& ring, std::size_t i) noexcept {
-  return textbook_vertex_of(ring_vertex(ring, i));
-}
+namespace irg::detail::inline IRG_ABI {
 
 // Where a row crosses an edge, n / d in 1/256, d > 0: 82 and 41 bits at most.
 struct textbook_crossing {
@@ -55,41 +41,6 @@ struct textbook_crossing {
   }
 };
 
-// Rounded quotients, where they fit 64 bits.
-constexpr std::int64_t textbook_floor(int128 n, int128 d) noexcept {
-  return static_cast<std::int64_t>(floor_div(n, d));
-}
-constexpr std::int64_t textbook_ceil(int128 n, int128 d) noexcept { return static_cast<std::int64_t>(ceil_div(n, d)); }
-
-// What all rows share.
-struct textbook_extents {
-  std::int64_t x_min, x_max, y_min, y_max;
-  bool clockwise;  // with y up
-};
-
-template <textbook::LatticeRing R>
-constexpr textbook_extents textbook_extents_of(const R& ring) noexcept {
-  const textbook_vertex v = textbook_vertex_at(ring, 0);
-  textbook_extents e{v.x, v.x, v.y, v.y, true};
-  int128 double_area = 0;
-  for (std::size_t i = 0; i < ring_size(ring); ++i) {
-    const textbook_vertex p = textbook_vertex_at(ring, i), q = textbook_vertex_at(ring, i + 1);
-    e.x_min = lesser(e.x_min, p.x), e.x_max = greater(e.x_max, p.x);
-    e.y_min = lesser(e.y_min, p.y), e.y_max = greater(e.y_max, p.y);
-    double_area += int128{p.x} * q.y - int128{q.x} * p.y;
-  }
-  e.clockwise = double_area <= 0;
-  return e;
-}
-
-// The crossing of a row with the line through an edge; a = y1 - y2 is not zero.
-constexpr textbook_crossing textbook_cross(const textbook_vertex& p, const textbook_vertex& q,
-                                           std::int64_t y) noexcept {
-  const std::int64_t a = p.y - q.y, b = q.x - p.x;
-  const int128 c = int128{p.x} * q.y - int128{q.x} * p.y, n = -int128{b} * y - c;
-  return a > 0 ? textbook_crossing{n, a} : textbook_crossing{-n, -a};
-}
-
 // The cells [first, last) of a row from L to D.
 struct textbook_run {
   std::int64_t first = 0, last = 0;
@@ -97,22 +48,18 @@ struct textbook_run {
 constexpr textbook_run textbook_cells(const textbook_crossing& l, const textbook_crossing& d,
                                       textbook::sample_rule rule) noexcept {
   const int128 l_unit = int128{l.d} * one_pixel, d_unit = int128{d.d} * one_pixel;
-  const bool drawn = rule == textbook::sample_rule::closed ? !(d < l) : l < d;
-  if (!drawn) return {};
-  switch (rule) {
-    case textbook::sample_rule::rounded:
-      return {textbook_floor(2 * l.n + l_unit, 2 * l_unit), textbook_floor(2 * d.n + d_unit, 2 * d_unit) + 1};
-    case textbook::sample_rule::half_open: return {textbook_ceil(l.n, l_unit), textbook_ceil(d.n, d_unit)};
-    default: return {textbook_ceil(l.n, l_unit), textbook_floor(d.n, d_unit) + 1};
-  }
+  const bool rounded = rule == textbook::sample_rule::rounded;
+  if (rule == textbook::sample_rule::closed ? d < l : !(l < d)) return {};
+  const int128 first = rounded ? floor_div(2 * l.n + l_unit, 2 * l_unit) : ceil_div(l.n, l_unit);
+  const int128 last = rounded                                    ? floor_div(2 * d.n + d_unit, 2 * d_unit) + 1
+                      : rule == textbook::sample_rule::half_open ? ceil_div(d.n, d_unit)
+                                                                 : floor_div(d.n, d_unit) + 1;
+  return {static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::textbook {
-
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// Calls sink(span) for every row of the convex polygon's cells that lie in the window, by rising y.
 /// needs   a convex ring, either way round, of any vertices of the type; of one that is not convex the common part of
@@ -127,18 +74,35 @@ template <LatticeRing Ring, SpanSink Sink>
 constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_window& window, Sink&& sink) {
   const std::size_t n = ring_size(ring);
   if (n == 0 || window.empty()) return;
-  const detail::textbook_extents e = detail::textbook_extents_of(ring);
-  const std::int64_t last_row = rule == sample_rule::half_open ? detail::textbook_ceil(e.y_max, one_pixel) - 1
-                                                               : detail::textbook_floor(e.y_max, one_pixel);
-  const std::int64_t y_first = greater<std::int64_t>(detail::textbook_ceil(e.y_min, one_pixel), window.y_first);
-  const std::int64_t y_last = lesser<std::int64_t>(last_row + 1, window.y_last);
+  struct vertex {
+    std::int64_t x, y;  // in 1/256
+  };
+  const auto at = [&](std::size_t i) {
+    const auto p = ring_vertex(ring, i);
+    const std::int64_t unit = std::same_as<ring_point<Ring>, cell> ? one_pixel : 1;
+    return vertex{p.x * unit, p.y * unit};
+  };
+  std::int64_t x_min = at(0).x, x_max = x_min, y_min = at(0).y, y_max = y_min;
+  int128 double_area = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const vertex p = at(i), q = at(i + 1);
+    x_min = lesser(x_min, p.x), x_max = greater(x_max, p.x);
+    y_min = lesser(y_min, p.y), y_max = greater(y_max, p.y);
+    double_area += int128{p.x} * q.y - int128{q.x} * p.y;
+  }
+  const std::int64_t unit = one_pixel, up_to = rule == sample_rule::half_open ? y_max - 1 : y_max;
+  const std::int64_t y_first = greater<std::int64_t>(ceil_div(y_min, unit), window.y_first);
+  const std::int64_t y_last = lesser<std::int64_t>(floor_div(up_to, unit) + 1, window.y_last);
   for (std::int64_t y = y_first; y < y_last; ++y) {
-    detail::textbook_crossing l{e.x_min, 1}, d{e.x_max, 1};
+    detail::textbook_crossing l{x_min, 1}, d{x_max, 1};
     for (std::size_t i = 0; i < n; ++i) {
-      const auto p = detail::textbook_vertex_at(ring, i), q = detail::textbook_vertex_at(ring, i + 1);
-      if (p.y == q.y) continue;
-      const auto x = detail::textbook_cross(p, q, y * one_pixel);
-      if ((p.y < q.y) == e.clockwise)
+      const vertex p = at(i), q = at(i + 1);
+      const std::int64_t a = p.y - q.y, b = q.x - p.x;  // a x + b y + c = 0
+      if (a == 0) continue;
+      const int128 c = int128{p.x} * q.y - int128{q.x} * p.y, along = -int128{b} * (y * unit) - c;
+      const detail::textbook_crossing x =
+          a > 0 ? detail::textbook_crossing{along, a} : detail::textbook_crossing{-along, -a};
+      if ((a < 0) == (double_area <= 0))  // rises, and the polygon runs clockwise, y up; or neither
         l = greater(l, x);
       else
         d = lesser(d, x);
@@ -160,5 +124,4 @@ constexpr void fill_convex(R& raster, const Ring& ring, sample_rule rule, const 
   convex_spans(ring, rule, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -16,8 +16,7 @@
 #include <irg/core/scalar.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // 2^exponent, the largest number of steps for which a bound is proven; every line in int where numbers are exact.
 template <Real T>
@@ -27,8 +26,7 @@ constexpr std::int64_t proven_steps(int digits_for_exponent_0, int digits_per_ex
   return std::int64_t{1} << (exponent < 32 ? exponent : 32);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
 namespace irg::textbook {
 

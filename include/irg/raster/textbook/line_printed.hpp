@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line procedures of two course texts exactly as they are printed, each with the domain in which it is meant and
+// The line procedures of two lectures' texts exactly as they are printed, each with the domain in which it is meant and
 // the faults it has there. textbook::line_bresenham is what they mean; irg::line_bresenham is what to use.
 //
 // All take D > 0 literally. Up to line_bresenham_steps steps rounding can spoil that test only where D should be 0: at
@@ -8,16 +8,7 @@
 
 #include <irg/raster/textbook/line_bresenham.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
-
-// The printed test and its step: whether the walk moves aside.
-template <Real Number>
-constexpr bool seed_step_aside(Number& distance) {
-  if (!(Number(0) < distance)) return false;
-  distance = distance - Number(1);
-  return true;
-}
+namespace irg::detail::inline IRG_ABI {
 
 // Steps 0..along-1 from (0, 0), each corrected before it is plotted, then the end.
 template <Real Number, class Plot>
@@ -26,23 +17,19 @@ constexpr void seed_corrected_before_plotted(int along, int aside, const Plot& p
   Number distance = slope - Number(1) / Number(2);
   int at = 0;
   for (int i = 0; i < along; ++i) {
-    at += seed_step_aside(distance);
+    if (Number(0) < distance) {
+      ++at;
+      distance = distance - Number(1);
+    }
     distance = distance + slope;
     plot(i, at);
   }
   plot(along, aside);
 }
 
-constexpr bool fits_int(std::int64_t v) noexcept {
-  return v >= (std::numeric_limits<int>::min)() && v <= (std::numeric_limits<int>::max)();
-}
+}  // namespace irg::detail::inline IRG_ABI
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
-
-namespace irg::textbook {
-
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// Calls sink(cell) for the cells of the line from a to b but the last, and says whether it did.
 /// needs   0 to 45 degrees: 0 <= b.y - a.y <= b.x - a.x and a.x < b.x
@@ -58,7 +45,10 @@ constexpr bool line_bresenham_printed(cell a, cell b, Sink&& sink) {
   int x = a.x, y = a.y;
   for (std::int64_t i = 0; i < x0; ++i) {
     sink(cell{x, y});
-    while (detail::seed_step_aside(distance)) ++y;
+    while (Number(0) < distance) {
+      ++y;
+      distance = distance - Number(1);
+    }
     ++x;
     distance = distance + slope;
   }
@@ -101,16 +91,19 @@ constexpr bool line_quadrant(cell to, Sink&& sink) {
 template <Real Number = double, CellSink Sink>
 constexpr bool line_plane(cell a, cell b, Sink&& sink) {
   const detail::bresenham_frame f = detail::frame_of(a, b);
-  const int sign_x = b.x < a.x ? -1 : 1, sign_aside = sign_x;  // of y in the listing's first branch, of x in its second
-  const std::int64_t last_aside = (f.steep ? a.x : a.y) + sign_aside * f.m;
-  if (f.n == 0 || f.n > line_bresenham_steps<Number> || !detail::fits_int(last_aside)) return false;
+  const int sign_aside = b.x < a.x ? -1 : 1;  // of y in the listing's first branch, of x in its second
+  const std::int64_t last = (f.steep ? a.x : a.y) + sign_aside * f.m;
+  if (f.n == 0 || f.n > line_bresenham_steps<Number> || last != static_cast<int>(last)) return false;
   const Number slope = Number(f.m) / Number(f.n);
   Number distance = slope - Number(1) / Number(2);
   cell c = a;
   int &along = f.steep ? c.y : c.x, &aside = f.steep ? c.x : c.y;
   sink(cell{c});
   for (std::int64_t i = 0; i < f.n; ++i) {
-    if (detail::seed_step_aside(distance)) aside += sign_aside;
+    if (Number(0) < distance) {
+      aside += sign_aside;
+      distance = distance - Number(1);
+    }
     along += f.sign_along;
     distance = distance + slope;
     sink(cell{c});
@@ -118,5 +111,4 @@ constexpr bool line_plane(cell a, cell b, Sink&& sink) {
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -11,8 +11,7 @@
 #include <irg/solid/detail/point_in_solid_steps.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // A point, and the numbers nearest to it.
 template <class Exact>
@@ -61,5 +60,4 @@ constexpr int turn_of_cover(const std::vector<point<double, 3>>& positions, cons
   return s.turn * orientation_along(s.axis, positions[own.v[0]], positions[own.v[1]], positions[own.v[2]]);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -14,8 +14,7 @@
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Rounded coordinates are off by less than 1.01u times their size. Of a determinant of differences below D, of numbers
 // below M, the error is less than 25u M D, since D is at most 2M; of three rows, less than 103u M D^2.
@@ -114,5 +113,4 @@ private:
   Exact slots_[3];
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -14,8 +14,7 @@
 #include <irg/mesh/to_mesh.hpp>
 #include <irg/mesh/triangulate.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // The triangles that a ray upward has crossed.
 struct upward_crossings {
@@ -108,5 +107,4 @@ constexpr location location_by_winding(const upward_crossings& count, fill_rule 
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -13,8 +13,7 @@
 #include <irg/solid/detail/box_pairs.hpp>
 #include <irg/solid/detail/point_in_solid_steps.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class Bodies>
 class shell_sides {
@@ -150,5 +149,4 @@ private:
   std::vector<box_tree> trees_{};  // of the bodies, seen from above
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

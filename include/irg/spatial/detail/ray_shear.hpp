@@ -13,8 +13,7 @@
 #include <irg/geometry/ray.hpp>
 #include <irg/math/error_free.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 struct ray_shear {
   int x, y, z;  // the axes, z that of the largest coordinate; x and y swapped where it is negative
@@ -93,5 +92,4 @@ IRG_INLINE constexpr sheared_sides<F> sides_of(const sheared_corners<F>& c) noex
   return {side(1, 2), side(2, 0), side(0, 1)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

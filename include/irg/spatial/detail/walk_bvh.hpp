@@ -7,8 +7,7 @@
 
 #include <irg/spatial/detail/walk_bvh_kernel.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// Calls visit(child) for the leaves that the ray meets, those near its beginning first; visit may make r.high less.
 template <box_arithmetic A = box_arithmetic::portable, class Visit, RayCounts C>
@@ -52,5 +51,4 @@ IRG_INLINE constexpr bool is_first_met(const bvh& tree, std::uint32_t place, con
   return is_first_met(tree, place, [&](std::uint32_t box) { return meets_one_box<A>(tree, r, box); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

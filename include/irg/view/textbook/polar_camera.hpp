@@ -4,8 +4,7 @@
 
 #include <irg/view/polar_camera.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The axes of Hank's camera as he forms them: Y = polar(a, b + 90 degrees), Z = polar(a, b + 180 degrees),
 /// X = Z x Y, the position at distance R from the origin. Left-handed: right, up and forward are X, Y and Z. X points
@@ -29,5 +28,4 @@ template <Floating T>
   return {{T(0), T(0), d}, {T(1), T(0), T(0)}, {T(0), T(1), T(0)}, {T(0), T(0), T(-1)}};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

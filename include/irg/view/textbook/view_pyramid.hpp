@@ -4,8 +4,7 @@
 
 #include <irg/view/view_pyramid.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The corners as Hank prints them (4.1.5.2): the far ones by the factor n/h, which puts them before the near ones.
 template <Real T>
@@ -14,5 +13,4 @@ template <Real T>
   return irg::detail::corners_by_factors(p, T(p.near_distance / p.distance), T(p.near_distance / p.far_distance), hand);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

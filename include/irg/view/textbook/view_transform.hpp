@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The course's view transform T = T1 T2 T3 T4 T5 and projection P, for row vectors: [x y z 1] * T. The scene is
+// The lecture's view transform T = T1 T2 T3 T4 T5 and projection P, for row vectors: [x y z 1] * T. The scene is
 // right-handed with z up; the eye's system is left-handed: x to the right, y up, z the distance along the view. T takes
 // the eye to the origin and the view point to (0, 0, H). Each step is a function of its own. look_at is the same camera
 // for column vectors, right-handed: its rows are T's columns, the third one negated.
@@ -20,7 +20,7 @@ namespace irg::textbook {
 /// What an eye and a view point amount to.
 enum class [[nodiscard]] view_status {
   ordinary,
-  view_vertical,  // along the scene's z axis, where the course divides 0 by 0: sin 0, cos 1 took its place in T2
+  view_vertical,  // along the scene's z axis, where the lecture divides 0 by 0: sin 0, cos 1 took its place in T2
   eye_at_view_point,  // there is no direction: T2 and T3 are identities, the view goes along the scene's z, H = 0
   not_finite  // a coordinate is NaN, infinite or beyond a quarter of the largest number: every step is the identity
 };
@@ -139,8 +139,7 @@ template <Floating T>
 }  // namespace IRG_ABI
 }  // namespace irg::textbook
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // x * h / z, the rounding of the product made up for.
 // needs   |x|, h and z between 2^-300 and 2^300
@@ -176,11 +175,9 @@ constexpr std::optional<T> textbook_proportion(T x, T h, T z) noexcept {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// P (5.10): the perspective projection onto the plane at the distance h in front of the eye, for row vectors; it gives
 /// [x y 0 z/h], and the division by z/h leads to (5.9).
@@ -207,7 +204,7 @@ template <Floating T>
   return point<T, 2>{*x, *y};
 }
 
-/// The parallel projection that the course names beside P: drops z.
+/// The parallel projection that the lecture names beside P: drops z.
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> parallel_matrix() noexcept {
   return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}}};
@@ -219,5 +216,4 @@ template <class T>
   return {p.x, p.y};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

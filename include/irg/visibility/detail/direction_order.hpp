@@ -12,8 +12,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Whether p lies below the source, or straight to the left of it: in the second half of the turn.
 template <Floating T>
@@ -110,5 +109,4 @@ constexpr directions<T> ordered_directions(const point<T, 2>& source, const std:
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -7,8 +7,7 @@
 #include <irg/core/scalar.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Whether no coordinate is NaN or infinite.
 template <Floating T>
@@ -17,5 +16,4 @@ constexpr bool is_finite_sight_point(const point<T, 2>& p) noexcept {
   return -most <= p.x && p.x <= most && -most <= p.y && p.y <= most;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

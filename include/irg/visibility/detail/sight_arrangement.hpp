@@ -17,8 +17,7 @@
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/visibility/detail/turn_between.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Twice the area between the line from point i to point i + 1 of x and point k.
 struct plane_area {
@@ -276,5 +275,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -19,8 +19,7 @@
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/visibility/detail/direction_order.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 inline constexpr std::uint32_t no_sight_edge = no_index;
 inline constexpr std::uint32_t at_source = 0xfffffffeu;  // nothing is seen at all
@@ -257,5 +256,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

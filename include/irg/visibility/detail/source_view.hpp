@@ -15,8 +15,7 @@
 #include <irg/visibility/detail/turn_between.hpp>
 #include <irg/visibility/sight_result.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Whether a place is within a region, its edges given with the inside to their left.
 // cost    a side or two for each edge
@@ -187,5 +186,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

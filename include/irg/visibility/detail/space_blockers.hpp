@@ -19,8 +19,7 @@
 #include <irg/math/sqrt.hpp>
 #include <irg/mesh/mesh.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Triangle k - 2 of those from the first corner of a face.
 template <Floating T>
@@ -283,5 +282,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -9,8 +9,7 @@
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <Floating T, std::size_t Size>
 constexpr std::array<double, 2 * Size> plane_numbers(const std::array<point<T, 2>, Size>& points) noexcept {
@@ -29,5 +28,4 @@ constexpr int turn_between(const segment<T, 2>& a, const segment<T, 2>& b) noexc
   return irg::sign_of<2>(formula, plane_numbers<T, 4>({a.a, a.b, b.a, b.b}));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -78,8 +78,7 @@ constexpr bool sight_steps(cell a, cell b, Emit&& sink) {
 }  // namespace IRG_ABI
 }  // namespace irg::textbook
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Whether the wall between two neighbours blocks.
 template <CellGrid G>
@@ -95,11 +94,9 @@ constexpr bool way_blocked(const G& g, const cell3& from, const cell3& side, con
   return is_full(g, side) || wall_between(g, from, side) || wall_between(g, side, to);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// What is seen of b from a in the layer z = 0: full or partial sight, or none. The end cells are not tested.
 /// gives   blocked when a or b is no cell of the layer; full when they are one
@@ -161,5 +158,4 @@ template <CellGrid G>
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

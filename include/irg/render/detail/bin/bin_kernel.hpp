@@ -18,7 +18,7 @@
 #include <irg/raster/screen_pieces.hpp>
 #include <irg/raster/triangle_batch.hpp>
 #include <irg/raster/triangle_coverage.hpp>
-#include <irg/raster/vertex_lanes.hpp>
+#include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/window.hpp>
 #include <irg/render/detail/visible/tile.hpp>
 #include <irg/render/options.hpp>

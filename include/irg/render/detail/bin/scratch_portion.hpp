@@ -6,9 +6,7 @@
 
 #include <irg/render/detail/bin/triangle_finder.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // A portion that takes one triangle after another.
 template <class Portion = bin_portion>
@@ -38,6 +36,4 @@ constexpr void list_and_draw(bin_portion& scratch, const triangle_batch<T>& batc
   draw(corners_of(batch, i));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

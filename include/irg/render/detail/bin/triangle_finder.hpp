@@ -7,8 +7,7 @@
 
 #include <irg/render/detail/bin/bin_kernel.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // Finds triangles and pieces by their numbers.
 template <class T>
@@ -102,5 +101,4 @@ private:
 };
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -10,8 +10,7 @@
 #include <irg/raster/triangle_coverage.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // Where a box is on the screen: the pixels that it could touch, and a key that nothing in it exceeds.
 enum class mask_place { on_screen, outside, before_the_eye };
@@ -120,5 +119,4 @@ constexpr mask_rectangle project_box(const box<T, 3>& b, const mat<T, 4, 4>& to_
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

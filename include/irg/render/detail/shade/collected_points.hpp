@@ -13,9 +13,7 @@
 #include <irg/core/lanes.hpp>
 #include <irg/raster/pixel_weights.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Writes the chosen ones of N pixels.
 template <int N, class P>
@@ -104,6 +102,4 @@ private:
   IRG_NOINLINE void shade_chosen() { points.shade(row, chosen); }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

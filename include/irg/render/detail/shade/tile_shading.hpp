@@ -11,9 +11,7 @@
 #include <irg/render/detail/shade/collected_points.hpp>
 #include <irg/render/detail/visible/visible_window.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The weights at a pixel of a piece, for the vertices of its source triangle.
 template <class F>
@@ -175,6 +173,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

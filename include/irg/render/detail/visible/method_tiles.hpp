@@ -12,8 +12,7 @@
 #include <irg/render/detail/visible/tile_driver.hpp>
 #include <irg/render/window_faces.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // Which objects of a picture are convex bodies of which only front faces are drawn, and their triangles' numbers.
 struct IRG_APART convex_bodies {
@@ -138,5 +137,4 @@ struct method_tiles {
 };
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

@@ -10,8 +10,7 @@
 #include <irg/core/lanes.hpp>
 #include <irg/core/raster_concept.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // Whether rows stay in the cache, as they should where the whole picture does, or go past it.
 enum class row_store { cached, streamed };
@@ -63,5 +62,4 @@ IRG_INLINE void end_of_rows(row_store how) noexcept {
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

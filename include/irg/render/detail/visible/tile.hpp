@@ -17,8 +17,7 @@
 #include <irg/raster/screen_face.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 inline constexpr int tile_size = 64, block_size = 8, blocks_across = tile_size / block_size;
 inline constexpr int tile_stride = tile_size + block_size;  // runs of pixels may reach beyond the right border
@@ -111,5 +110,4 @@ IRG_INLINE void refresh_far(tile& t) noexcept {
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

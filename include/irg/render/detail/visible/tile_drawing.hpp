@@ -11,10 +11,7 @@
 #include <irg/render/detail/visible/visible_window.hpp>
 #include <irg/render/detail/bin/triangle_finder.hpp>
 
-namespace irg {
-namespace detail {
-
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class T>
 struct tile_painter {
@@ -384,6 +381,4 @@ struct tile_painter {
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -17,9 +17,7 @@
 #include <irg/render/detail/visible/tile.hpp>
 #include <irg/raster/draw_triangle.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // How a tile's list is drawn.
 struct tile_order {
@@ -305,6 +303,4 @@ IRG_INLINE tile_rest tile_blocks(tile& out, const tile_triangle<J>& t, const blo
   return rest;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

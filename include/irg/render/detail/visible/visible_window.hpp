@@ -14,8 +14,7 @@
 #include <irg/render/detail/visible/tile.hpp>
 #include <irg/render/detail/bin/triangle_finder.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 // The pixels of a window, at most tile_size a side, in rows of tile_stride.
 struct visible_window {
@@ -106,5 +105,4 @@ constexpr draw_counts find_visible_plainly(visible_pixels& out, Depth& depth, st
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail

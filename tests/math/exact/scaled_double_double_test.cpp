@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <irg/math/exact/known_number.hpp>
+#include <irg/math/exact/scaled_double_double.hpp>
 
 #include <array>
 #include <limits>
+#include <type_traits>
 
 #include <irg/math/vec.hpp>
 
@@ -10,13 +11,14 @@
 
 namespace {
 
-using irg::known_number;
-constexpr known_number of(double x, int exponent = 0) { return {x, 0, exponent}; }
+using irg::scaled_double_double;
+constexpr scaled_double_double of(double x, int exponent = 0) { return {x, 0, exponent}; }
 
 }  // namespace
 
-TEST_CASE("known numbers: the four operations far beyond the range of double") {
-  static_assert(irg::Scalar<known_number>);
+TEST_CASE("scaled double-doubles: the four operations far beyond the range of double") {
+  static_assert(irg::Scalar<scaled_double_double>);
+  static_assert(std::is_same_v<irg::known_number, scaled_double_double>);
   CHECK_BOTH(irg::rounded_to<double>(of(1.5, 5000) * of(3, -4999)) == 9.0);
   CHECK_BOTH(irg::rounded_to<double>(of(1, 3000) / of(4, 3001)) == 0.125);
   CHECK_BOTH(irg::rounded_to<double>(of(1, 60) - of(1, 0)) == 0x1p60 - 1);
@@ -29,8 +31,8 @@ TEST_CASE("known numbers: the four operations far beyond the range of double") {
   CHECK_BOTH(irg::rounded_to<float>(of(1, 2)) == 4.0f);
 }
 
-TEST_CASE("known numbers: vectors rounded one by one and together") {
-  const irg::vec<known_number, 3> v{of(3), of(-6), of(1)};
+TEST_CASE("scaled double-doubles: vectors rounded one by one and together") {
+  const irg::vec<scaled_double_double, 3> v{of(3), of(-6), of(1)};
   CHECK(irg::rounded_coordinates<irg::point<double, 3>>(v / of(4)) == irg::point<double, 3>{0.75, -1.5, 0.25});
   constexpr auto together = irg::rounded_together<double, 2>(std::array{of(1, 1500), of(1, 1499), of(1, 10)});
   static_assert(together[0] == 2 * together[1] && together[0] > 0x1p1000 && together[2] > 0 && together[2] < 0x1p-400);

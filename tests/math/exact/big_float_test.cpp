@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <irg/math/exact/exact_number.hpp>
+#include <irg/math/exact/big_float.hpp>
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
@@ -11,14 +12,15 @@
 
 namespace {
 
-using number = irg::exact_number<3>;
+using number = irg::big_float<3>;
 constexpr number of(double x) { return irg::exactly<number>(x); }
 constexpr double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
 
 }  // namespace
 
-TEST_CASE("exact numbers: sums, differences and products of doubles of all sizes") {
+TEST_CASE("big floats: sums, differences and products of doubles of all sizes") {
   static_assert(irg::Number<number>);
+  static_assert(std::is_same_v<irg::exact_number<3>, number>);
   CHECK_BOTH((of(most) + of(least) - of(most) - of(least)).sign() == 0);
   CHECK_BOTH((of(most) * of(most) - of(least)).sign() == 1);
   CHECK_BOTH((of(least) * of(least) * of(-least)).sign() == -1);
@@ -29,7 +31,7 @@ TEST_CASE("exact numbers: sums, differences and products of doubles of all sizes
 }
 
 #ifdef IRG_HAVE_MPFR
-TEST_CASE("exact numbers: against rationals") {
+TEST_CASE("big floats: against rationals") {
   test::random r(7);
   for (int trial = 0; trial < 2000; ++trial) {
     number x = of(1);

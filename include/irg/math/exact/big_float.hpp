@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// exact_number: a sum of powers of two, with exact sum, difference and product. Polynomials of doubles are computed
-// with it where rounded numbers do not tell their sign; whatever the exponents, nothing is rounded.
+// big_float: words of 64 bits and an exponent, with exact sum, difference and product. Polynomials of doubles are
+// computed in it where rounded numbers do not tell their sign; whatever the exponents, nothing is rounded.
 #pragma once
 
 #include <bit>
@@ -8,32 +8,27 @@
 
 #include <irg/core/config.hpp>
 #include <irg/core/scalar.hpp>
-#include <irg/math/exact/known_number.hpp>
+#include <irg/math/exact/scaled_double_double.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/int128.hpp>
 
 namespace irg {
-namespace detail {
 
-/// Enough words for any polynomial of this degree in finite doubles, of up to 2^60 terms.
-constexpr int words_for_degree(int degree) { return (2098 * degree + 60) / 64 + 4; }
-
-}  // namespace detail
-
-/// A real number of at most this many words of 64 bits.
+/// A real number that is a whole multiple of a power of two, with room for every polynomial of this degree in finite
+/// doubles, of up to 2^60 terms.
 /// shape   a sign, and the words of the magnitude from the lowest that is not zero to the highest; word 0 counts in
 ///         units of 2^(64 place)
-template <int Words>
-class dyadic {
-public:
-  IRG_INLINE constexpr dyadic() noexcept {}  // zero; the words beyond `size_` are never read
+template <int Degree>
+class big_float {
+  static constexpr int most_words = (2098 * Degree + 60) / 64 + 4;
 
-  IRG_INLINE constexpr explicit dyadic(double x) noexcept {
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    const std::uint64_t fraction = bits & 0xfffffffffffffu;
-    const int field = static_cast<int>((bits >> 52) & 0x7ff);
-    const std::uint64_t significand = field == 0 ? fraction : fraction | (std::uint64_t{1} << 52);
-    const int lift = (field == 0 ? 1 : field) + 1152 - 1075;  // the last bit's exponent plus 18 * 64
-    negative_ = bits >> 63 != 0;
+public:
+  IRG_INLINE constexpr big_float() noexcept {}  // zero; the words beyond `size_` are never read
+
+  IRG_INLINE constexpr explicit big_float(double x) noexcept {
+    const auto [significand, place, negative] = integer_parts_of(x);
+    const int lift = place - 1074 + 18 * 64;  // the last bit's exponent, made positive
+    negative_ = negative;
     place_ = lift / 64 - 18;
     const int shift = lift % 64;
     put(significand << shift);
@@ -41,31 +36,33 @@ public:
     trim();
   }
 
-  IRG_INLINE constexpr dyadic(const dyadic& other) noexcept { take(other); }
-  IRG_INLINE constexpr dyadic& operator=(const dyadic& other) noexcept {
+  IRG_INLINE constexpr big_float(const big_float& other) noexcept { take(other); }
+  IRG_INLINE constexpr big_float& operator=(const big_float& other) noexcept {
     if (this != &other) take(other);
     return *this;
   }
 
   /// What words() gave of another.
-  /// needs   size <= Words
-  IRG_APART constexpr dyadic(const std::uint64_t* words, int size, int place, bool negative) noexcept {
+  /// needs   room for them: those of a degree that is not higher
+  IRG_APART constexpr big_float(const std::uint64_t* words, int size, int place, bool negative) noexcept {
     for (int i = 0; i < size; ++i) word_[i] = words[i];
     size_ = size, place_ = place, negative_ = negative;
   }
   [[nodiscard]] IRG_INLINE constexpr const std::uint64_t* words() const noexcept { return word_; }
   [[nodiscard]] IRG_INLINE constexpr int size() const noexcept { return size_; }
   [[nodiscard]] IRG_INLINE constexpr int place() const noexcept { return place_; }
-  IRG_APART friend constexpr bool operator==(const dyadic& a, const dyadic& b) noexcept { return (a - b).sign() == 0; }
+  IRG_APART friend constexpr bool operator==(const big_float& a, const big_float& b) noexcept {
+    return (a - b).sign() == 0;
+  }
 
   [[nodiscard]] IRG_INLINE constexpr int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
 
-  IRG_APART friend constexpr dyadic operator+(const dyadic& a, const dyadic& b) noexcept {
+  IRG_APART friend constexpr big_float operator+(const big_float& a, const big_float& b) noexcept {
     if (a.size_ == 0) return b;
     if (b.size_ == 0) return a;
-    dyadic sum;
+    big_float sum;
     const bool add = a.negative_ == b.negative_, a_larger = add || !is_smaller(a, b);
-    const dyadic &large = a_larger ? a : b, &lesser_one = a_larger ? b : a;
+    const big_float &large = a_larger ? a : b, &lesser_one = a_larger ? b : a;
     const int first = lesser(a.place_, b.place_), last = greater(a.end(), b.end());
     sum.place_ = first;
     sum.negative_ = large.negative_;
@@ -81,15 +78,15 @@ public:
     sum.trim();
     return sum;
   }
-  IRG_APART friend constexpr dyadic operator-(const dyadic& a) noexcept {
-    dyadic negated = a;
+  IRG_APART friend constexpr big_float operator-(const big_float& a) noexcept {
+    big_float negated = a;
     negated.negative_ = !a.negative_;
     return negated;
   }
-  IRG_APART friend constexpr dyadic operator-(const dyadic& a, const dyadic& b) noexcept { return a + -b; }
+  IRG_APART friend constexpr big_float operator-(const big_float& a, const big_float& b) noexcept { return a + -b; }
 
-  IRG_APART friend constexpr dyadic operator*(const dyadic& a, const dyadic& b) noexcept {
-    dyadic product;
+  IRG_APART friend constexpr big_float operator*(const big_float& a, const big_float& b) noexcept {
+    big_float product;
     if (a.size_ == 0 || b.size_ == 0) return product;
     product.place_ = a.place_ + b.place_;
     product.negative_ = a.negative_ != b.negative_;
@@ -109,7 +106,7 @@ public:
 
   /// The number to 106 bits or more.
   /// exact   relative error at most 2^-105
-  [[nodiscard]] IRG_APART constexpr known_number rounded() const noexcept {
+  [[nodiscard]] IRG_APART constexpr scaled_double_double rounded() const noexcept {
     if (size_ == 0) return {};
     const int top = end() - 1, zeros = std::countl_zero(at(top));
     const auto window = [&](int place) {  // 64 bits from the highest one down, then the 64 below
@@ -129,9 +126,9 @@ private:
     return place < place_ || place >= end() ? 0 : word_[place - place_];
   }
   IRG_INLINE constexpr void put(std::uint64_t word) noexcept {
-    if (size_ < Words) word_[size_++] = word;  // a sum's last word is a carry of 0 where no room is left
+    if (size_ < most_words) word_[size_++] = word;  // a sum's last word is a carry of 0 where no room is left
   }
-  IRG_APART constexpr void take(const dyadic& other) noexcept {
+  IRG_APART constexpr void take(const big_float& other) noexcept {
     for (int i = 0; i < other.size_; ++i) word_[i] = other.word_[i];
     place_ = other.place_, size_ = other.size_, negative_ = other.negative_;
   }
@@ -144,7 +141,8 @@ private:
     size_ -= zeros;
     place_ += zeros;
   }
-  [[nodiscard]] IRG_APART static constexpr bool is_smaller(const dyadic& a, const dyadic& b) noexcept {  // in magnitude
+  // In magnitude.
+  [[nodiscard]] IRG_APART static constexpr bool is_smaller(const big_float& a, const big_float& b) noexcept {
     if (a.end() != b.end()) return a.end() < b.end();
     const int last = lesser(a.place_, b.place_);
     for (int place = a.end() - 1; place >= last; --place)
@@ -152,18 +150,17 @@ private:
     return false;
   }
 
-  std::uint64_t word_[static_cast<std::size_t>(Words)];
+  std::uint64_t word_[static_cast<std::size_t>(most_words)];
   int place_ = 0, size_ = 0;
   bool negative_ = false;
 };
 
-/// Numbers in which every polynomial of this degree in finite doubles, of up to 2^60 terms, has room.
 template <int Degree>
-using exact_number = dyadic<detail::words_for_degree(Degree)>;
+using exact_number = big_float<Degree>;
 
 inline namespace IRG_ABI {
 
-/// x as an exact number.
+/// x as a big float.
 /// needs   finite x
 template <class N, class T>
   requires(Floating<T> || std::is_integral_v<T>)
