@@ -166,7 +166,7 @@ constexpr plane_on_screen to_plane_on_screen(const double (&a)[3], const double 
 
 template <Floating T>
 IRG_APART constexpr void bsp_scene_painter<T>::put_planes_on_screen(const mat<T, 4, 4>& to_clip,
-                                                          const screen_mapping<T>& mapping) {
+                                                                    const screen_mapping<T>& mapping) {
   const bsp_data_3d<T>& d = tree_.data();
   mat<double, 4, 4> m;
   for (int i = 0; i < 4; ++i)

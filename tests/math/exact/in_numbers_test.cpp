@@ -11,10 +11,10 @@ namespace {
 struct engine {
   double value = 0;
   constexpr bool operator==(const engine&) const = default;
-  friend constexpr engine operator+(engine a, engine b) { return {a.value + b.value}; }
-  friend constexpr engine operator-(engine a, engine b) { return {a.value - b.value}; }
-  friend constexpr engine operator*(engine a, engine b) { return {a.value * b.value}; }
-  friend constexpr engine operator-(engine a) { return {-a.value}; }
+  [[maybe_unused]] friend constexpr engine operator+(engine a, engine b) { return {a.value + b.value}; }
+  [[maybe_unused]] friend constexpr engine operator-(engine a, engine b) { return {a.value - b.value}; }
+  [[maybe_unused]] friend constexpr engine operator*(engine a, engine b) { return {a.value * b.value}; }
+  [[maybe_unused]] friend constexpr engine operator-(engine a) { return {-a.value}; }
 };
 constexpr auto doubled = [](double x) { return engine{2 * x}; };
 
