@@ -127,6 +127,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("length", FOREIGN_CALL(irg::length(v.b3)));
   call("length_fast", FOREIGN_CALL(irg::length_fast(v.b3)));
   call("length_squared", FOREIGN_CALL(irg::length_squared(v.b3)));
+  call("scaled_near_one", FOREIGN_CALL(irg::scaled_near_one(v.b3)));
   call("normalized", FOREIGN_CALL(irg::normalized(v.b3)));
   call("normalized_fast", FOREIGN_CALL(irg::normalized_fast(v.b3)));
   call("try_normalize", FOREIGN_CALL(irg::try_normalize(v.b3)));
@@ -156,6 +157,9 @@ std::map<std::string, bool> calls(const V& values) {
   // points
   call("orient2d", FOREIGN_CALL(irg::orient2d(v.a, v.b, v.c)));
   call("orient2d_sos", FOREIGN_CALL(irg::orient2d_sos(v.a, v.b, v.c)));
+  call("is_between_ends", FOREIGN_CALL(irg::is_between_ends(v.a3, v.b3, v.c3)));
+  call("seen_along", FOREIGN_CALL(irg::seen_along(v.b3, 2)));
+  call("orientation_along", FOREIGN_CALL(irg::orientation_along(v.a3, v.b3, v.c3, 2)));
   call("orient3d", FOREIGN_CALL(irg::orient3d(v.a3, v.b3, v.c3, v.d3)));
   call("orient3d_sos", FOREIGN_CALL(irg::orient3d_sos(v.a3, v.b3, v.c3, v.d3)));
   call("in_circle", FOREIGN_CALL(irg::in_circle(v.a, v.b, v.c, v.e)));
