@@ -23,7 +23,6 @@ using irg::plane_depth_steps;
 using irg::plane_walk;
 using test::rational;
 
-static_assert(irg::DepthWalk<depth_walk<double>> && irg::DepthWalk<plane_walk<float>> && !irg::DepthWalk<double>);
 
 template <class T>
 constexpr irg::point<T, 3> corner(int x, int y, int z) {

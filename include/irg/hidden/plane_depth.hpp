@@ -176,12 +176,4 @@ private:
   bool perspective_ = false;
 };
 
-/// Gives depths along rows: start(column, row), value(), next(). Models: depth_walk, plane_walk.
-template <class W>
-concept DepthWalk = requires(W walk, const W& const_walk) {
-  walk.start(0, 0);
-  walk.next();
-  requires Scalar<std::remove_cvref_t<decltype(const_walk.value())>>;
-};
-
 }  // namespace irg

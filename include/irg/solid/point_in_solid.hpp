@@ -19,7 +19,7 @@
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/to_mesh.hpp>
 #include <irg/mesh/triangulate.hpp>
-#include <irg/solid/detail/point_in_solid_steps.hpp>
+#include <irg/solid/detail/upward_crossings.hpp>
 
 namespace irg::inline IRG_ABI {
 

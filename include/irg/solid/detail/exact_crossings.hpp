@@ -8,7 +8,7 @@
 #include <irg/core/vocabulary.hpp>
 #include <irg/geometry/exact_point.hpp>
 #include <irg/solid/detail/exact_vertices.hpp>
-#include <irg/solid/detail/point_in_solid_steps.hpp>
+#include <irg/solid/detail/upward_crossings.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>
 
 namespace irg::detail::inline IRG_ABI {

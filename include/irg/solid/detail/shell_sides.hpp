@@ -11,7 +11,7 @@
 #include <irg/math/exact_sum.hpp>
 #include <irg/solid/detail/body_triangles.hpp>
 #include <irg/solid/detail/box_pairs.hpp>
-#include <irg/solid/detail/point_in_solid_steps.hpp>
+#include <irg/solid/detail/upward_crossings.hpp>
 
 namespace irg::detail::inline IRG_ABI {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps of point_in_solid.hpp.
+// How often the ray upward from a point leaves and enters a body, by its triangles, exactly.
 #pragma once
 
 #include <cstddef>
