@@ -23,7 +23,6 @@ using irg::plane_depth_steps;
 using irg::plane_walk;
 using test::rational;
 
-
 template <class T>
 constexpr irg::point<T, 3> corner(int x, int y, int z) {
   return {T(x), T(y), T(z)};
