@@ -81,6 +81,7 @@ template <class T>
 /// exact   the IEEE product, never fused with a sum
 /// source  irg's own: the measurements are in docs/numbers.md
 template <class T>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): most are numbers in registers
 [[nodiscard]] IRG_INLINE constexpr T product(T x, T y) noexcept(noexcept(x * y)) {
   if constexpr (IRG_TARGET_FUSES && (std::is_same_v<T, float> || std::is_same_v<T, double>)) {
 #if IRG_FUSES_WITH_ZERO
