@@ -158,8 +158,8 @@ std::map<std::string, bool> calls(const V& values) {
   call("orient2d", FOREIGN_CALL(irg::orient2d(v.a, v.b, v.c)));
   call("orient2d_sos", FOREIGN_CALL(irg::orient2d_sos(v.a, v.b, v.c)));
   call("is_between_ends", FOREIGN_CALL(irg::is_between_ends(v.a3, v.b3, v.c3)));
-  call("seen_along", FOREIGN_CALL(irg::seen_along(v.b3, 2)));
-  call("orientation_along", FOREIGN_CALL(irg::orientation_along(v.a3, v.b3, v.c3, 2)));
+  call("seen_along", FOREIGN_CALL(irg::seen_along(2, v.b3)));
+  call("orientation_along", FOREIGN_CALL(irg::orientation_along(2, v.a3, v.b3, v.c3)));
   call("orient3d", FOREIGN_CALL(irg::orient3d(v.a3, v.b3, v.c3, v.d3)));
   call("orient3d_sos", FOREIGN_CALL(irg::orient3d_sos(v.a3, v.b3, v.c3, v.d3)));
   call("in_circle", FOREIGN_CALL(irg::in_circle(v.a, v.b, v.c, v.e)));
