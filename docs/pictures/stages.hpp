@@ -270,7 +270,6 @@ inline picture depths() {
   return enlarged(grey, pixel);
 }
 
-// All of them, each with the name of its file.
 // The same body by the pipeline on one screen, each corner of a triangle in a colour of its own, and its depths.
 inline picture on_one_screen() {
   picture p(width, height, paper), all(2 * width + 12, height, {255, 255, 255, 255});
@@ -294,6 +293,7 @@ inline picture on_one_screen() {
   return all;
 }
 
+// All of them, each with the name of its file.
 inline std::vector<std::pair<const char*, picture>> all() {
   return {{"stage_object", in_its_own_system()}, {"stage_world", in_the_world()},
           {"stage_camera", in_the_camera()},     {"stage_back_faces", without_back_faces()},
