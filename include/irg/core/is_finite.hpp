@@ -13,8 +13,7 @@
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/ring.hpp>
 
-namespace irg {
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The highest bit is set when x is NaN or infinite: its exponent, all ones, carries into the sign.
 template <Floating T>
@@ -29,9 +28,9 @@ IRG_INLINE constexpr std::uint64_t not_finite_bit(const P& p) noexcept {
   return bits;
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Whether x is neither NaN nor infinite; numbers without infinities always are finite.
 template <Scalar T>
@@ -84,5 +83,4 @@ template <class A, class B, class... More>
   return is_finite(a) && is_finite(b) && (is_finite(more) && ...);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

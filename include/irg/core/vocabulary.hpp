@@ -16,7 +16,7 @@
 
 #include <cstdint>
 
-#include <irg/core/config.hpp>
+#include <irg/core/contract.hpp>
 
 namespace irg {
 
@@ -62,6 +62,9 @@ struct [[nodiscard]] checked {
 
   /// Whether the value is what was asked for.
   [[nodiscard]] IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == S{}; }
+  /// The value, where nothing else is expected.
+  /// needs   is_ordinary()
+  [[nodiscard]] IRG_INLINE constexpr T expected() const noexcept { return IRG_EXPECTS(is_ordinary()), value; }
   bool operator==(const checked&) const = default;
 };
 

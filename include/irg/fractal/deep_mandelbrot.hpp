@@ -46,25 +46,12 @@ struct perturbed_count {
   constexpr bool operator==(const perturbed_count&) const = default;
 };
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // The numbers that distances are kept in.
 template <class T>
 concept PerturbedNumber = std::same_as<T, double> || std::same_as<T, double_double>;
 
-inline namespace IRG_ABI {
-
-template <class T>
-IRG_INLINE constexpr T unfused_product(const T& a, const T& b) noexcept {
-  if constexpr (Floating<T>)
-    return product(a, b);
-  else
-    return a * b;
-}
-template <class T>
-IRG_INLINE constexpr T squared_norm(const T& x, const T& y) noexcept {
-  return unfused_product(x, x) + unfused_product(y, y);
-}
 template <class T, int N>
 constexpr T rounded_fixed(const fixed_point<N>& x) noexcept {
   const auto high = static_cast<double>(x);
@@ -99,8 +86,7 @@ constexpr T surely_below(double x) noexcept {
     return {x, x * -0x1p-90};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -128,7 +114,7 @@ template <Real T = double, int N>
     y = xy + xy + im;
     xx = detail::whole_square(x), yy = detail::whole_square(y);
     reference_point<T> z{detail::rounded_fixed<T>(x), detail::rounded_fixed<T>(y), T(limit.square)};
-    const T size = detail::squared_norm(z.x, z.y);
+    const T size = detail::squared_size(z.x, z.y);
     z.room = is_near ? detail::rounded_fixed<T>(square - (xx + yy)) * T(0x1p64) : z.room - size;
     orbit.push_back(z);
     if (!(size < T(end))) break;
@@ -151,19 +137,18 @@ template <Real T>
                                                                    const escape_limit<double>& limit) noexcept {
   IRG_EXPECTS(orbit.size() >= 2);
   const T surely_inside = detail::surely_below<T>(limit.square);
-  const auto times = [](const T& a, const T& b) { return detail::unfused_product(a, b); };
   perturbed_count result{limit.most, 0};
   point<T, 2> d{T(0), T(0)};
   const reference_point<T>*const first = orbit.data(), *const last = first + (orbit.size() - 1), *at = first;
   for (int k = 0; k < limit.most; ++k) {
     const T sx = at->x + at->x + d.x, sy = at->y + at->y + d.y;
-    d = {times(sx, d.x) - times(sy, d.y) + offset.x, times(sx, d.y) + times(sy, d.x) + offset.y};
+    d = {product(sx, d.x) - product(sy, d.y) + offset.x, product(sx, d.y) + product(sy, d.x) + offset.y};
     ++at;
-    const T x = at->x + d.x, y = at->y + d.y, size = detail::squared_norm(x, y);
-    const T length = detail::squared_norm(d.x, d.y);
+    const T x = at->x + d.x, y = at->y + d.y, size = detail::squared_size(x, y);
+    const T length = detail::squared_size(d.x, d.y);
     if (!(size < surely_inside)) {
-      const T across = times(at->x, d.x) + times(at->y, d.y);
-      const bool is_doubtful = length < size && times(size, detail::surely_below<T>(1)) < T(limit.square);
+      const T across = product(at->x, d.x) + product(at->y, d.y);
+      const bool is_doubtful = length < size && product(size, detail::surely_below<T>(1)) < T(limit.square);
       if (!(is_doubtful ? across + across + length < at->room : size < T(limit.square))) {
         result.count = k;
         break;

@@ -10,12 +10,10 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <vector>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/core/vocabulary.hpp>
-#include <irg/hidden/detail/grid_parts.hpp>
 #include <irg/hidden/detail/grid_sight.hpp>
 #include <irg/hidden/grid_covering_order.hpp>
 
@@ -63,14 +61,14 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
 
 }  // namespace IRG_ABI
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // The edges of a grid surface that lie in line with the eye, those of the grid's lines below it. Each such line is seen
 // in one upright plane, in two directions from the eye, and hides nothing but itself: the other edges that meet the
 // plane meet it at the line's own vertices.
 
 template <class Sight>
-struct IRG_APART grid_sight_lines {
+struct grid_sight_lines {
   const Sight& sight;
   bool outer_hides, inner_hides;
 
@@ -104,13 +102,7 @@ private:
     }
     // Where the line of sight to vertex q meets the edge from k to k + 1.
     constexpr double meeting(int q, int k) const noexcept {
-      const auto formula = [](const auto& p) {
-        const auto x = p[2] - p[0], y = p[3] - p[1];
-        const auto a = x * (p[5] - p[1]) - y * (p[4] - p[0]), b = x * (p[7] - p[1]) - y * (p[6] - p[0]);
-        return std::array{a - b, a};
-      };
-      const auto e = eye(), s = point_at(q), a = point_at(k), b = point_at(k + 1);
-      return irg::quotient_of<2>(formula, std::array{e.x, e.y, s.x, s.y, a.x, a.y, b.x, b.y}).value_or(0.0);
+      return irg::quotient_of<2>(meeting_in_plane{}, eye(), point_at(q), point_at(k), point_at(k + 1)).value_or(0.0);
     }
     template <class Part>
     constexpr Part part(int k, double from, double to) const noexcept {
@@ -152,25 +144,21 @@ private:
   }
 };
 
-inline namespace IRG_ABI {
-
 // Neither NaN nor infinite.
-constexpr bool is_number(double v) noexcept {
-  return v >= std::numeric_limits<double>::lowest() && v <= -std::numeric_limits<double>::lowest();
-}
+constexpr bool is_number(double v) noexcept { return is_finite(v); }
 
 template <class Surface>
 constexpr bool is_grid(const Surface& s) noexcept {
   const auto rises = [](std::span<const double> v) {
     if (v.size() < 2 || v.size() > (std::size_t{1} << 30)) return false;
     for (std::size_t i = 0; i < v.size(); ++i)
-      if (!is_number(v[i]) || (i > 0 && !(v[i - 1] < v[i]))) return false;
+      if (!is_finite(v[i]) || (i > 0 && !(v[i - 1] < v[i]))) return false;
     return true;
   };
   if (!rises(s.x) || !rises(s.z)) return false;
   if (s.x.size() * s.z.size() != s.heights.size() || s.heights.size() > (std::size_t{1} << 30)) return false;
   for (const double h : s.heights)
-    if (!is_number(h)) return false;
+    if (!is_finite(h)) return false;
   return true;
 }
 
@@ -188,8 +176,7 @@ constexpr int surface_over_eye(const Sight& s, const grid_covering& c) noexcept 
                                                          s.eye.y, h(i - 1, j - 1), h(i, j - 1), h(i - 1, j), h(i, j)});
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -198,8 +185,7 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
                                                                                const point<double, 3>& eye,
                                                                                Emit&& sink) {
   grid_surface_counts counts;
-  if (!detail::is_grid(surface) || !(detail::is_number(eye.x) && detail::is_number(eye.y) && detail::is_number(eye.z)))
-    return {counts, grid_surface_status::not_a_grid};
+  if (!detail::is_grid(surface) || !is_finite(eye)) return {counts, grid_surface_status::not_a_grid};
   const detail::grid_sight<double> sight{surface.x, surface.z, surface.heights, eye};
   const grid_covering loops = covering_loops(sight.x, sight.z, eye.x, eye.z);
   counts.view = grid_view_from(sight.x, sight.z, eye.x, eye.y, eye.z);
@@ -209,7 +195,7 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
   const bool outer_hides = surface_is <= 0, inner_hides = surface_is >= 0;
 
   detail::grid_perimeter outer(sight, detail::perimeter_side::outer), inner(sight, detail::perimeter_side::inner);
-  detail::grid_parts parts(sight);
+  detail::grid_parts<detail::grid_sight<double>> parts{sight};
   const auto sent = [&](std::int64_t count) {
     ++counts.edges;
     counts.parts += count;

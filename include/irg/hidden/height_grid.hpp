@@ -28,6 +28,18 @@ struct sample_range {
   int count = 2;
 };
 
+namespace detail::inline IRG_ABI {
+
+// 0, 1, 2 and on: even steps from 0 to count - 1 would be rounded.
+template <class Int>
+constexpr std::vector<double> whole_places(Int count) {
+  std::vector<double> places(count > 0 ? static_cast<std::size_t>(count) : 0, 0.0);
+  for (std::size_t k = 0; k < places.size(); ++k) places[k] = static_cast<double>(k);
+  return places;
+}
+
+}  // namespace detail::inline IRG_ABI
+
 inline namespace IRG_ABI {
 
 /// The places of a range.
@@ -53,22 +65,6 @@ template <class Height, class Range = sample_range>
     for (const double v : g.z) g.heights.push_back(static_cast<double>(height(u, v)));
   return g;
 }
-
-}  // namespace IRG_ABI
-
-namespace detail::inline IRG_ABI {
-
-// 0, 1, 2 and on: even steps from 0 to count - 1 would be rounded.
-template <class Int>
-constexpr std::vector<double> whole_places(Int count) {
-  std::vector<double> places(count > 0 ? static_cast<std::size_t>(count) : 0, 0.0);
-  for (std::size_t k = 0; k < places.size(); ++k) places[k] = static_cast<double>(k);
-  return places;
-}
-
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
 
 /// The heights of an array, its rows one after another: row k stands at z = k, column i at x = i.
 /// needs   columns of 1 or more that divide the array's size

@@ -28,7 +28,7 @@ constexpr horizon_curve_points curve_points(const Height& height, const View& t,
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   horizon_curve_points curves;
   const auto put = [&](const point<double, 2>& at, double y) {
-    const bool is_seen = is_finite(at.x) && is_finite(at.y) && is_finite(y);
+    const bool is_seen = is_finite(at, y);
     curves.points.push_back(is_seen ? at : point<double, 2>{nothing, nothing});
     curves.heights.push_back(y);
   };
@@ -72,7 +72,7 @@ template <class Height>
                                                                  const point<double, 3>& eye) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const auto over = [](double v) { return v > 0 && v < 1; };
-  if (!(is_finite(eye.x) && is_finite(eye.y) && is_finite(eye.z))) return {};
+  if (!is_finite(eye)) return {};
   if (over(eye.x) && over(eye.z)) return {};
   const double scale = magnitude(eye.x) < 0x1p500 && magnitude(eye.z) < 0x1p500 ? 1 : 0x1p-550;  // for the squares
   const double ahead_x = (0.5 - eye.x) * scale, ahead_z = (0.5 - eye.z) * scale;

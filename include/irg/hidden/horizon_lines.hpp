@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/hidden/detail/grid_parts.hpp>
 #include <irg/hidden/detail/grid_sight.hpp>
 #include <irg/hidden/vocabulary.hpp>
 #include <irg/math/error_free.hpp>
@@ -46,23 +45,14 @@ constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> p
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Curves in a picture, and what is decided of their steps, exactly: which passes above another at some x, and where
 // they cross. Directions are the places from left to right; it is what grid_perimeter asks of a sight.
 
-// How far point 2c lies to the left of the line from a to b, times its length.
-template <class X>
-constexpr auto plane_turn(const X& x, std::size_t a, std::size_t b, std::size_t c) noexcept {
-  return (x[2 * b] - x[2 * a]) * (x[2 * c + 1] - x[2 * a + 1]) - (x[2 * b + 1] - x[2 * a + 1]) * (x[2 * c] - x[2 * a]);
-}
-
-}  // namespace IRG_ABI
-
 // Edge e joins points e and e + 1.
 template <class T>
-struct IRG_APART curve_sight {
+struct curve_sight {
   std::span<const point<T, 2>> points;
 
   constexpr const point<T, 2>& at(std::uint32_t v) const noexcept { return points[v]; }
@@ -91,54 +81,39 @@ struct IRG_APART curve_sight {
     return c == t.from || c == t.to ? 0 : -orient2d(at(t.from), at(t.to), at(c));
   }
 
-  template <class... Vertex>
-  constexpr auto coordinates(Vertex... v) const noexcept {
-    std::array<T, 2 * sizeof...(v)> out{};
-    std::size_t next = 0;
-    const auto put = [&](const point<T, 2>& p) {
-      out[next] = p.x, out[next + 1] = p.y;
-      next += 2;
-    };
-    (put(at(v)), ...);
-    return out;
-  }
-
   // 1 where f passes above e at the x of vertex c, -1 where below.
   constexpr int compare_at(grid_edge f, grid_edge e, std::uint32_t c) const noexcept {
     const turning_edge s = turning(e), t = turning(f);
-    const auto formula = [](const auto& p) {
-      return plane_turn(p, 0, 1, 4) * (p[6] - p[4]) - plane_turn(p, 2, 3, 4) * (p[2] - p[0]);
+    const auto formula = [](const auto& a, const auto& b, const auto& p, const auto& q, const auto& x) {
+      return plane_turn(a, b, x) * (q.x - p.x) - plane_turn(p, q, x) * (b.x - a.x);
     };
-    return irg::sign_of<3>(formula, coordinates(s.from, s.to, t.from, t.to, c));
+    return irg::sign_of<3>(formula, at(s.from), at(s.to), at(t.from), at(t.to), at(c));
   }
 
   // -1 where g passes above the crossing of e and f, of which f is the higher one behind it, 1 where below; the other
   // way round where e is the higher one.
   constexpr int planes_turn(grid_edge e, grid_edge f, grid_edge g) const noexcept {
     const turning_edge r = turning(e), s = turning(f), t = turning(g);
-    const auto formula = [](const auto& p) {
+    const auto formula = [](const auto&... points) {
       // Each line as rise, run, and the height where it meets the upright line through the last point, times the run.
-      const auto run = [&](std::size_t k) { return p[4 * k + 2] - p[4 * k]; };
-      const auto rise = [&](std::size_t k) { return p[4 * k + 3] - p[4 * k + 1]; };
-      const auto height = [&](std::size_t k) { return (p[4 * k + 1] - p[11]) * run(k) - rise(k) * (p[4 * k] - p[10]); };
+      const std::array p{points...};
+      const auto run = [&](std::size_t k) { return p[2 * k + 1].x - p[2 * k].x; };
+      const auto rise = [&](std::size_t k) { return p[2 * k + 1].y - p[2 * k].y; };
+      const auto height = [&](std::size_t k) {
+        return (p[2 * k].y - p[5].y) * run(k) - rise(k) * (p[2 * k].x - p[5].x);
+      };
       return rise(0) * (height(2) * run(1) - height(1) * run(2)) + height(0) * (rise(1) * run(2) - rise(2) * run(1)) +
              run(0) * (height(1) * rise(2) - height(2) * rise(1));
     };
-    return irg::sign_of<4>(formula, coordinates(r.from, r.to, s.from, s.to, t.from, t.to));
+    return irg::sign_of<4>(formula, at(r.from), at(r.to), at(s.from), at(s.to), at(t.from), at(t.to));
   }
 
   // How far along g it meets the line of e, or the place of a vertex.
   constexpr T place(grid_edge g, grid_edge e) const noexcept {
-    if (is_vertex(e)) {
-      const auto along = [](const auto& p) { return std::array{p[1] - p[0], p[2] - p[0]}; };
-      return irg::quotient_of<1>(along, std::array<T, 3>{at(low(g)).x, at(high(g)).x, at(vertex_of(e)).x})
-          .value_or(T(0));
-    }
-    const auto formula = [](const auto& p) {
-      const auto a = plane_turn(p, 0, 1, 2), b = plane_turn(p, 0, 1, 3);
-      return std::array{a - b, a};
-    };
-    return irg::quotient_of<2>(formula, coordinates(low(e), high(e), low(g), high(g))).value_or(T(0));
+    if (!is_vertex(e))
+      return irg::quotient_of<2>(meeting_in_plane{}, at(low(e)), at(high(e)), at(low(g)), at(high(g))).value_or(T(0));
+    const auto along = [](const auto& from, const auto& to, const auto& x) { return std::array{to - from, x - from}; };
+    return irg::quotient_of<1>(along, at(low(g)).x, at(high(g)).x, at(vertex_of(e)).x).value_or(T(0));
   }
 
   // -1, 0 or 1: where g meets the line of e (or the place of a vertex) before that of f, at one place, or behind.
@@ -151,78 +126,70 @@ struct IRG_APART curve_sight {
       return a != 0 ? a : -orient2d(at(low(of)), at(high(of)), at(high(g)));
     };
     if (is_vertex(f)) {
-      const auto mixed = [](const auto& p) {
-        return plane_turn(p, 0, 1, 2) * (p[6] - p[8]) + plane_turn(p, 0, 1, 3) * (p[8] - p[4]);
+      const auto mixed = [](const auto& a, const auto& b, const auto& p, const auto& q, const auto& x) {
+        return plane_turn(a, b, p) * (q.x - x.x) + plane_turn(a, b, q) * (x.x - p.x);
       };
-      return falls(e) * way * irg::sign_of<3>(mixed, coordinates(low(e), high(e), low(g), high(g), vertex_of(f)));
+      return falls(e) * way *
+             irg::sign_of<3>(mixed, at(low(e)), at(high(e)), at(low(g)), at(high(g)), at(vertex_of(f)));
     }
-    const auto formula = [](const auto& p) {
-      return plane_turn(p, 2, 3, 4) * plane_turn(p, 0, 1, 5) - plane_turn(p, 0, 1, 4) * plane_turn(p, 2, 3, 5);
+    const auto formula = [](const auto& a, const auto& b, const auto& p, const auto& q, const auto& x, const auto& y) {
+      return plane_turn(p, q, x) * plane_turn(a, b, y) - plane_turn(a, b, x) * plane_turn(p, q, y);
     };
     return falls(e) * falls(f) *
-           irg::sign_of<4>(formula, coordinates(low(e), high(e), low(f), high(f), low(g), high(g)));
+           irg::sign_of<4>(formula, at(low(e)), at(high(e)), at(low(f)), at(high(f)), at(low(g)), at(high(g)));
   }
 };
 
-inline namespace IRG_ABI {
-
 template <class Sight>
-class line_horizons {
-public:
-  constexpr explicit line_horizons(const Sight& sight)
-      : sight_(&sight), upper_(sight, perimeter_side::outer), lower_(sight, perimeter_side::inner), parts_(sight) {}
+struct line_horizons {
+  const Sight& sight;
+  grid_perimeter<Sight> upper{sight, perimeter_side::outer}, lower{sight, perimeter_side::inner};
+  grid_parts<Sight> parts{sight};
 
   // Calls sink(from, to) for what is seen of a step, in order.
   // gives   how many parts that are
   template <class Emit>
   constexpr std::int64_t add(grid_edge e, const Emit& sink) {
-    if (sight_->at(e).x == sight_->at(e + 1).x) return add_upright(e, sink);
-    parts_.add(e, upper_.add(e));
-    parts_.add(e, lower_.add(e));
-    return parts_.send(sink);
+    if (sight.at(e).x == sight.at(e + 1).x) return add_upright(e, sink);
+    parts.add(e, upper.add(e));
+    parts.add(e, lower.add(e));
+    return parts.send(sink);
   }
-  constexpr std::int64_t pieces() const noexcept { return static_cast<std::int64_t>(upper_.size() + lower_.size()); }
+  constexpr std::int64_t pieces() const noexcept { return static_cast<std::int64_t>(upper.size() + lower.size()); }
 
-private:
   // An upright step hides nothing: curves through its ends do.
   template <class Emit>
   constexpr std::int64_t add_upright(grid_edge e, const Emit& sink) {
-    const bool rises = sight_->at(e).y < sight_->at(e + 1).y;
+    const bool rises = sight.at(e).y < sight.at(e + 1).y;
     const std::uint32_t bottom = rises ? e : e + 1, top = rises ? e + 1 : e;
-    const grid_edge high = upper_.edge_at(e), low = lower_.edge_at(e);
-    const bool is_hidden = high != no_grid_edge && low != no_grid_edge && sight_->compare_at(high, low, e) > 0 &&
-                           sight_->above_vertex(high, bottom) > 0 && sight_->above_vertex(low, top) < 0;
+    const grid_edge high = upper.edge_at(e), low = lower.edge_at(e);
+    const bool is_hidden = high != no_grid_edge && low != no_grid_edge && sight.compare_at(high, low, e) > 0 &&
+                           sight.above_vertex(high, bottom) > 0 && sight.above_vertex(low, top) < 0;
     if (!is_hidden) {
       sink(0.0, 1.0);
       return 1;
     }
-    const bool below = sight_->above_vertex(low, bottom) > 0, above = sight_->above_vertex(high, top) < 0;
-    const double from_low = below ? sight_->place(e, low) : 0, from_high = above ? sight_->place(e, high) : 0;
+    const bool below = sight.above_vertex(low, bottom) > 0, above = sight.above_vertex(high, top) < 0;
+    const double from_low = below ? sight.place(e, low) : 0, from_high = above ? sight.place(e, high) : 0;
     if (below && rises) sink(0.0, from_low);
     if (above && !rises) sink(0.0, from_high);
     if (above && rises) sink(from_high, 1.0);
     if (below && !rises) sink(from_low, 1.0);
     return (below ? 1 : 0) + (above ? 1 : 0);
   }
-
-  const Sight* sight_;
-  grid_perimeter<Sight> upper_, lower_;
-  grid_parts<Sight> parts_;
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
 template <class Emit>
 constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> points, Emit&& sink, drawn_parts which) {
   const detail::curve_sight<double> sight{points};
-  detail::line_horizons horizons(sight);
+  detail::line_horizons<detail::curve_sight<double>> horizons{sight};
   horizon_line_counts counts;
-  const auto is_point = [](const point<double, 2>& p) { return is_finite(p.x) && is_finite(p.y); };
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    if (!is_point(points[k]) || !is_point(points[k + 1]) || points[k] == points[k + 1]) continue;
+    if (!is_finite(points[k], points[k + 1]) || points[k] == points[k + 1]) continue;
     double seen_to = 0;
     const auto hide = [&](double to) {
       if (which == drawn_parts::all && seen_to < to) sink(edge_part{k, line_visibility::hidden, seen_to, to});

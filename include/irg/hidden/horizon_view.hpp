@@ -26,7 +26,7 @@ struct horizon_view {
   horizon_curves families = horizon_curves::both;
 };
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // A view with the functions of its angles.
 struct turned_view {
@@ -34,8 +34,6 @@ struct turned_view {
   double cos_yaw, sin_yaw, cos_pitch, sin_pitch;
   int offset;  // of the columns: x may be negative
 };
-
-inline namespace IRG_ABI {
 
 // The view within the range for which columns and samples are ints.
 template <class V>
@@ -127,8 +125,7 @@ constexpr void visit_horizon_samples(const View& t, const point<double, 2>& eye,
   });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -49,10 +49,7 @@ constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_windo
 /// The painter's algorithm of Newell, Newell and Sancha as a hidden-surface method for render.
 /// gives   what draw_painter_newell gives; counts.tested counts the faces and parts drawn
 template <DepthOrder Order = nearer_is_greater>
-struct painter_newell {
-  /// Whether the picture is the exact one.
-  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
-
+struct painter_newell : exact_method {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
@@ -60,8 +57,7 @@ struct painter_newell {
   }
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The pixels that a part of a face may have, as a window.
 
@@ -99,16 +95,12 @@ constexpr bool has_no_pixel(const face_fragment& part, const cell_window& box) n
   return true;
 }
 
-}  // namespace IRG_ABI
-
 // Faces sorted by their depths, by the bits of these: four looks at each face instead of one for each halving of the
 // list.
 
 struct keyed_place {
   std::uint32_t key, place;
 };
-
-inline namespace IRG_ABI {
 
 // Sorts by keys; equal ones stay in their order.
 template <class Keyed = keyed_place>
@@ -162,8 +154,6 @@ constexpr std::vector<window_face> sorted_by_depth(const std::vector<screen_face
   return sorted;
 }
 
-}  // namespace IRG_ABI
-
 // The list of Newell, Newell and Sancha: faces and parts of faces, the farthest last, and the tests by which one may be
 // drawn before the others.
 
@@ -173,8 +163,6 @@ struct painted_part {
   cell_window box;
   bool moved = false;
 };
-
-inline namespace IRG_ABI {
 
 constexpr cell_window halved(cell_window w) noexcept {
   if (w.x_last - w.x_first > 1)
@@ -225,19 +213,19 @@ constexpr int limited(const painted_part& part, const screen_face* other) noexce
 }
 
 template <DepthOrder Order, class Observer>
-class newell_painter {
+struct newell_painter {
   static_assert(depth_sense<Order> != 0, "the painter needs depths");
-
-public:
-  constexpr newell_painter(image<std::uint32_t>& ids, Observer& observer) : ids_(ids), observer_(observer) {}
-
-  constexpr const newell_counts& counts() const noexcept { return counts_; }
+  image<std::uint32_t>& ids;
+  Observer& observer;
+  std::vector<painted_part> list{};
+  std::size_t in_order = 0;  // of them, the first ones
+  newell_counts counts{};
 
   // Paints faces that are sorted from near to far. A face that covers a whole window hides what is behind it there; a
   // list in which most overlap in depth is cut with its window.
   constexpr void paint(const std::vector<window_face>& sorted, const cell_window& w) {
     if (w.empty()) return;
-    const std::vector<window_face> faces = faces_of_window<Order>(sorted, w, counts_.hidden);
+    const std::vector<window_face> faces = faces_of_window<Order>(sorted, w, counts.hidden);
     if (is_one_pixel(w)) {
       if (const screen_face* seen = seen_in_pixel<Order>(faces, w)) draw(*seen, w);
       return;
@@ -257,7 +245,6 @@ public:
     }
   }
 
-private:
   // Sorted faces lie anywhere in memory: some are asked for before they are drawn.
   static constexpr std::size_t faces_ahead = 16;
   static constexpr void ask_for(const screen_face& f) noexcept {
@@ -291,30 +278,30 @@ private:
   };
   constexpr void paint_overlapping(const std::vector<window_face>& faces, const list_range& range,
                                    const cell_window& w) {
-    list_.clear();
+    list.clear();
     for (std::size_t i = range.first; i < range.end; ++i)
-      list_.push_back({{faces[i].face, {}}, intersect(faces[i].bounds, w)});
-    sorted_ = list_.size();
-    while (!list_.empty()) {
+      list.push_back({{faces[i].face, {}}, intersect(faces[i].bounds, w)});
+    in_order = list.size();
+    while (!list.empty()) {
       if (!may_be_drawn()) continue;
-      draw(list_.back());
-      list_.pop_back();
-      sorted_ = lesser(sorted_, list_.size());
+      draw(list.back());
+      list.pop_back();
+      in_order = lesser(in_order, list.size());
     }
   }
 
   constexpr void note(newell_step step, const screen_face& p, const screen_face& q) {
-    ++counts_.steps[static_cast<int>(step)];
-    observer_(step, p.number, q.number);
+    ++counts.steps[static_cast<int>(step)];
+    observer(step, p.number, q.number);
   }
 
   // Whether the last of the list hides none of the others; if not, the list is changed.
   constexpr bool may_be_drawn() {
-    const painted_part& p = list_.back();
-    for (std::size_t i = list_.size() - 1; i-- > 0;) {
-      const painted_part& q = list_[i];
+    const painted_part& p = list.back();
+    for (std::size_t i = list.size() - 1; i-- > 0;) {
+      const painted_part& q = list[i];
       // The list is sorted but for what was moved, which stands behind.
-      if (i < sorted_ && Order::nearer(farthest_depth<Order>(*q.part.face), nearest_depth<Order>(*p.part.face))) break;
+      if (i < in_order && Order::nearer(farthest_depth<Order>(*q.part.face), nearest_depth<Order>(*p.part.face))) break;
       if (does_not_hide(p, q)) continue;
       draw_first(i);
       return false;
@@ -344,17 +331,17 @@ private:
 
   // The last of the list, P, may hide part i, Q: Q, or a part of it, has to be drawn before.
   constexpr void draw_first(std::size_t i) {
-    const painted_part p = list_.back(), q = list_[i];
+    const painted_part p = list.back(), q = list[i];
     const cell_window both = intersect(p.box, q.box);
     const bool ordered = limited(q, p.part.face) != 0 || limited(p, q.part.face) != 0 ||
                          order_in_window<Order>(*p.part.face, *q.part.face, both) != window_order::crossing;
-    const bool was_sorted = i < sorted_;
-    list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(i));
-    sorted_ -= was_sorted ? 1 : 0;
+    const bool was_sorted = i < in_order;
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+    in_order -= was_sorted ? 1 : 0;
     const auto put_back = [&](const face_fragment& part, const cell_window& box) {
       if (has_no_pixel<Order>(part, box)) return;
-      list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(i), painted_part{part, box});
-      sorted_ += was_sorted ? 1 : 0;
+      list.insert(list.begin() + static_cast<std::ptrdiff_t>(i), painted_part{part, box});
+      in_order += was_sorted ? 1 : 0;
     };
     if (ordered && (!q.moved || is_one_pixel(q.box))) {
       note(newell_step::moved, *p.part.face, *q.part.face);
@@ -373,12 +360,12 @@ private:
   }
 
   constexpr void put_last(const face_fragment& part, const cell_window& box, bool moved = false) {
-    if (!has_no_pixel<Order>(part, box)) list_.push_back({part, box, moved});
+    if (!has_no_pixel<Order>(part, box)) list.push_back({part, box, moved});
   }
 
   constexpr void draw(const screen_face& f, const cell_window& w) {
     note(newell_step::drawn, f, f);
-    covered_spans(f.coverage, w, [&ids = ids_, number = f.number](const span_of_cells& s) {
+    covered_spans(f.coverage, w, [&ids = ids, number = f.number](const span_of_cells& s) {
       std::uint32_t* row = ids.row(s.y);
       for (int x = s.x_first; x < s.x_last; ++x) row[x] = number;
     });
@@ -389,19 +376,12 @@ private:
     note(newell_step::drawn, f, f);
     covered_spans(f.coverage, p.box, [&](const span_of_cells& s) {
       for (int x = s.x_first; x < s.x_last; ++x)
-        if (covers<Order>(p.part, x, s.y)) ids_(x, s.y) = f.number;
+        if (covers<Order>(p.part, x, s.y)) ids(x, s.y) = f.number;
     });
   }
-
-  image<std::uint32_t>& ids_;
-  Observer& observer_;
-  std::vector<painted_part> list_{};
-  std::size_t sorted_ = 0;
-  newell_counts counts_{};
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -409,9 +389,9 @@ template <DepthOrder Order, class Faces, class Observer>
 constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                             Observer&& observer) {
   const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-  detail::newell_painter<Order, std::remove_reference_t<Observer>> painter(ids, observer);
+  detail::newell_painter<Order, std::remove_reference_t<Observer>> painter{ids, observer};
   painter.paint(detail::sorted_by_depth<Order>(list), window);
-  return painter.counts();
+  return painter.counts;
 }
 
 }  // namespace IRG_ABI

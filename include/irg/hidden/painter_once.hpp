@@ -19,10 +19,7 @@ namespace irg {
 /// exact   as picture_face_at, in every pixel, whatever the faces are
 /// cost    each pixel as often as it is covered; memory for a copy of the faces, none for depths
 template <DepthOrder Order = nearer_is_greater>
-struct painter_once {
-  /// Whether the picture is the exact one.
-  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
-
+struct painter_once : exact_method {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {

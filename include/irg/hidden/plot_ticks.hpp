@@ -11,25 +11,12 @@
 #include <irg/core/instructions.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/decimal.hpp>
+#include <irg/mesh/part_name.hpp>
 
 namespace irg {
 
-/// A text that a plot keeps: a std::string without what that costs to include.
-class plot_text {
-public:
-  constexpr plot_text() = default;
-  template <class S>
-    requires std::convertible_to<const S&, std::string_view>
-  IRG_APART constexpr plot_text(const S& text) {
-    const std::string_view view = text;
-    bytes_.assign(view.begin(), view.end());
-  }
-  IRG_APART constexpr operator std::string_view() const noexcept { return {bytes_.data(), bytes_.size()}; }
-  constexpr bool operator==(const plot_text&) const = default;
-
-private:
-  std::vector<char> bytes_{};
-};
+/// A text that a plot keeps.
+using plot_text = part_name;
 
 /// A place on an axis, and the text beside it.
 struct axis_tick {
@@ -76,13 +63,13 @@ template <class Tick = axis_tick>
     detail::add_tick(ticks, low);
     return ticks;
   }
-  if (!(span <= 0x1.fffffffffffffp1023) || span < 1e-300 || span < size * 0x1p-45) {
+  const auto both_ends = [&] {
     detail::add_tick(ticks, low);
     detail::add_tick(ticks, high);
     return ticks;
-  }
+  };
+  if (!(span <= 0x1.fffffffffffffp1023) || span < 1e-300 || span < size * 0x1p-45) return both_ends();
   int digit = 1, exponent = -310;
-  const auto step_of = [](int d, int e) { return detail::decimal_value(d, e); };
   const auto falls_short = [&](int d, int e) { return detail::decimal_value(std::int64_t{d} * most, e) < span; };
   int above = 308;
   while (exponent + 1 < above) {  // the greatest power of ten that is too small
@@ -91,12 +78,8 @@ template <class Tick = axis_tick>
   }
   for (int d : {2, 5, 10})
     if (falls_short(digit, exponent)) digit = d;
-  const double step = step_of(digit, exponent);
-  if (!(size / step < 0x1p52)) {
-    detail::add_tick(ticks, low);
-    detail::add_tick(ticks, high);
-    return ticks;
-  }
+  const double step = detail::decimal_value(digit, exponent);
+  if (!(size / step < 0x1p52)) return both_ends();
   for (auto k = static_cast<std::int64_t>(low / step) - 1;; ++k) {
     const double value = detail::decimal_value(k * digit, exponent);
     if (value > high) break;

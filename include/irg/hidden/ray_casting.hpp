@@ -14,6 +14,11 @@
 
 namespace irg {
 
+/// What hidden-surface methods have in common whose picture is the exact one.
+struct exact_method {
+  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
+};
+
 /// A hidden-surface method: each pixel asks each face.
 /// shape   ray_casting<>{}(faces, window, ids, counts): faces a container of screen_face, ids a raster that holds the
 ///         window; counts.tested counts the faces that rays meet, counts.ties the equal depths among them
@@ -22,10 +27,7 @@ namespace irg {
 /// cost    pixels times faces; memory for a copy of the faces, none for depths
 /// source  Appel 1968
 template <DepthOrder Order = nearer_is_greater>
-struct ray_casting {
-  /// Whether the picture is the exact one.
-  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
-
+struct ray_casting : exact_method {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const;

@@ -4,9 +4,7 @@
 
 #include <optional>
 
-#include <irg/core/contraction.hpp>
-#include <irg/core/instructions.hpp>
-#include <irg/core/scalar.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/vec.hpp>
 
@@ -26,17 +24,12 @@ struct surface_camera {
   /// Where a point is seen, right and up in the picture plane.
   /// gives   nothing for a point that is not before the eye, or is seen 2^500 or more aside
   IRG_APART constexpr std::optional<point<double, 2>> operator()(const point<double, 3>& p) const noexcept {
-    const vec<double, 3> d{p.x - eye.x, p.y - eye.y, p.z - eye.z};
-    const double depth = along(d, forward);
+    const vec<double, 3> d = p - eye;
+    const double depth = dot(d, forward);
     if (!(depth > 0)) return std::nullopt;
-    const point<double, 2> at{product(along(d, right) / depth, distance), product(along(d, up) / depth, distance)};
+    const point<double, 2> at{product(dot(d, right) / depth, distance), product(dot(d, up) / depth, distance)};
     if (!(magnitude(at.x) < 0x1p500 && magnitude(at.y) < 0x1p500)) return std::nullopt;
     return at;
-  }
-
-private:
-  [[nodiscard]] IRG_APART static constexpr double along(const vec<double, 3>& a, const vec<double, 3>& b) noexcept {
-    return product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z);
   }
 };
 
@@ -50,7 +43,7 @@ template <class Surface>
   const auto extremes = [](const auto& numbers, double& low, double& high) {
     bool any = false;
     for (const double v : numbers) {
-      if (!(magnitude(v) <= 0x1.fffffffffffffp1023)) continue;
+      if (!is_finite(v)) continue;
       low = any ? lesser(low, v) : v, high = any ? greater(high, v) : v;
       any = true;
     }
@@ -71,9 +64,8 @@ template <class Box>
   const auto unit = [](const vec<double, 3>& v) {
     const double size = greater(greater(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
     if (!(size > 0)) return vec<double, 3>{0, 0, 0};
-    const vec<double, 3> s{v.x / size, v.y / size, v.z / size};
-    const double length = sqrt(product(s.x, s.x) + product(s.y, s.y) + product(s.z, s.z));
-    return vec<double, 3>{s.x / length, s.y / length, s.z / length};
+    const vec<double, 3> s = v / size;
+    return s / sqrt(dot(s, s));
   };
   const vec<double, 3> to{(box.low.x / 2 + box.high.x / 2) - eye.x, (box.low.y / 2 + box.high.y / 2) - eye.y,
                           (box.low.z / 2 + box.high.z / 2) - eye.z};
@@ -81,7 +73,7 @@ template <class Box>
   c.eye = eye;
   c.forward = unit(to);
   const vec<double, 3>& f = c.forward;
-  c.distance = (product(to.x, f.x) + product(to.y, f.y) + product(to.z, f.z)) / 2;
+  c.distance = dot(to, f) / 2;
   if (!(c.distance > 0)) c.distance = 1, c.forward = {0, -1, 0};
   c.right = unit({f.z, 0, -f.x});
   if (!(magnitude(c.right.x) + magnitude(c.right.z) > 0)) c.right = {1, 0, 0};

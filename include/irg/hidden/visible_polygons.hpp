@@ -66,7 +66,7 @@ template <DepthOrder Order = nearer_is_greater, class Faces>
 
 }  // namespace IRG_ABI
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // From cells to the outlines of what they show: points that are one are found exactly, boundaries between cells of one
 // number vanish, and what is left is cut where outlines meet and nowhere else, and linked to rings.
@@ -78,14 +78,12 @@ struct outline_part {
   std::uint32_t line = 0, from = 0, to = 0;
   std::uint64_t number[2] = {beside_window, beside_window};  // of which it is part of a ring from `from` to `to`; back
 };
-struct IRG_APART outline_step {
+struct outline_step {
   std::uint32_t number, from, to;
   friend constexpr bool operator<(const outline_step& a, const outline_step& b) noexcept {
     return a.number != b.number ? a.number < b.number : a.from != b.from ? a.from < b.from : a.to < b.to;
   }
 };
-
-inline namespace IRG_ABI {
 
 template <class Cutter>
 class cell_outlines {
@@ -221,8 +219,7 @@ constexpr void link_outlines(const std::vector<Step>& steps, visible_polygon_map
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

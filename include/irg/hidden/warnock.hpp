@@ -69,10 +69,7 @@ constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& win
 /// Warnock's subdivision as a hidden-surface method for render.
 /// gives   what draw_warnock gives; counts.tested counts the faces held against windows
 template <DepthOrder Order = nearer_is_greater>
-struct warnock {
-  /// Whether the picture is the exact one.
-  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
-
+struct warnock : exact_method {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
@@ -80,12 +77,12 @@ struct warnock {
   }
 };
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // For each pixel of a small window the set of the faces that cover it, as bits: what touches or surrounds a part of the
 // window is then the union or the common part of a few numbers.
 
-class IRG_APART face_sets {
+class face_sets {
 public:
   static constexpr int side = 16;
   static constexpr std::size_t most = 64;  // faces
@@ -150,109 +147,111 @@ struct warnock_face {
 };
 
 template <DepthOrder Order, class Observer>
-class warnock_division {
-public:
-  IRG_APART constexpr warnock_division(image<std::uint32_t>& ids, Observer& observer)
-      : ids_(ids), observer_(observer) {}
+struct warnock_division {
+  image<std::uint32_t>& ids;
+  Observer& observer;
+  std::vector<warnock_face> lists{};
+  face_sets sets{};  // of the small window that is looked into
+  std::size_t small_first = 0;  // and where its list begins
+  warnock_counts counts{};
 
-  IRG_APART constexpr warnock_counts operator()(const std::vector<screen_face>& faces, const cell_window& window) {
-    for (const screen_face& f : faces) lists_.push_back({&f, f.coverage.bounds, false});
-    look_at(window, 0, lists_.size());
-    return counts_;
+  constexpr warnock_counts operator()(const std::vector<screen_face>& faces, const cell_window& window) {
+    for (const screen_face& f : faces) lists.push_back({&f, f.coverage.bounds, false});
+    look_at(window, 0, lists.size());
+    return counts;
   }
 
-private:
   // Draws a window, whose parent's list is [first, last). Its own list goes behind all others, and away at the end.
-  IRG_APART constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last) {
-    const std::size_t own = lists_.size();
+  constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last) {
+    const std::size_t own = lists.size();
     take(w, first, last);
-    if (const std::size_t n = lists_.size() - own; n > 1 && n <= face_sets::most && face_sets::holds(w)) {
+    if (const std::size_t n = lists.size() - own; n > 1 && n <= face_sets::most && face_sets::holds(w)) {
       look_into(w, own);
-      lists_.resize(own, warnock_face{});
+      lists.resize(own, warnock_face{});
       return;
     }
     leave_out_hidden(w, own);
     const warnock_case ending = draw_if_easy(w, own);
     note(w, ending);
     if (ending == warnock_case::divided) {
-      const std::size_t end = lists_.size();
+      const std::size_t end = lists.size();
       for (const cell_window& part : quarters(w))
         if (!part.empty()) look_at(part, own, end);
     }
-    lists_.resize(own, warnock_face{});
+    lists.resize(own, warnock_face{});
   }
-  IRG_APART constexpr void note(const cell_window& w, warnock_case ending) {
-    ++counts_.windows[static_cast<int>(ending)];
-    observer_(w, ending);
+  constexpr void note(const cell_window& w, warnock_case ending) {
+    ++counts.windows[static_cast<int>(ending)];
+    observer(w, ending);
   }
 
-  IRG_APART constexpr void take(const cell_window& w, std::size_t first, std::size_t last) {
+  constexpr void take(const cell_window& w, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      bool surrounds = lists_[i].surrounds;
+      bool surrounds = lists[i].surrounds;
       if (!surrounds) {
-        ++counts_.classified;
-        const containment where = classify_face(*lists_[i].face, lists_[i].bounds, w);
+        ++counts.classified;
+        const containment where = classify_face(*lists[i].face, lists[i].bounds, w);
         if (where == containment::outside) continue;
         surrounds = where == containment::inside;
       }
-      lists_.push_back({lists_[i].face, lists_[i].bounds, surrounds});
+      lists.push_back({lists[i].face, lists[i].bounds, surrounds});
     }
   }
 
   // Of the surrounding faces the one that is seen in the window's first pixel hides most: what lies behind it in all of
   // the window cannot be seen.
-  IRG_APART constexpr void leave_out_hidden(const cell_window& w, std::size_t own) {
+  constexpr void leave_out_hidden(const cell_window& w, std::size_t own) {
     const screen_face* front = nullptr;
-    for (std::size_t i = own; i < lists_.size(); ++i)
-      if (const warnock_face& f = lists_[i];
+    for (std::size_t i = own; i < lists.size(); ++i)
+      if (const warnock_face& f = lists[i];
           f.surrounds && (front == nullptr || is_nearer<Order>(*f.face, *front, w.x_first, w.y_first)))
         front = f.face;
     if (front == nullptr) return;
     std::size_t kept = own;
-    for (std::size_t i = own; i < lists_.size(); ++i) {
-      const screen_face* f = lists_[i].face;
+    for (std::size_t i = own; i < lists.size(); ++i) {
+      const screen_face* f = lists[i].face;
       if (f == front || !hides_in_window<Order>(*front, *f, w))
-        lists_[kept++] = lists_[i];
+        lists[kept++] = lists[i];
       else
-        ++counts_.hidden;
+        ++counts.hidden;
     }
-    lists_.resize(kept, warnock_face{});
+    lists.resize(kept, warnock_face{});
   }
 
-  IRG_APART constexpr warnock_case draw_if_easy(const cell_window& w, std::size_t own) {
-    if (lists_.size() == own) return warnock_case::empty;
+  constexpr warnock_case draw_if_easy(const cell_window& w, std::size_t own) {
+    if (lists.size() == own) return warnock_case::empty;
     const bool single = is_one_pixel(w);
-    if (lists_.size() > own + 1 && !single) return warnock_case::divided;
-    const warnock_face* seen = &lists_[own];  // the only one, or the nearest in a pixel, which all cover
-    for (std::size_t i = own + 1; i < lists_.size(); ++i)
-      if (is_nearer<Order>(*lists_[i].face, *seen->face, w.x_first, w.y_first)) seen = &lists_[i];
+    if (lists.size() > own + 1 && !single) return warnock_case::divided;
+    const warnock_face* seen = &lists[own];  // the only one, or the nearest in a pixel, which all cover
+    for (std::size_t i = own + 1; i < lists.size(); ++i)
+      if (is_nearer<Order>(*lists[i].face, *seen->face, w.x_first, w.y_first)) seen = &lists[i];
     covered_spans(seen->face->coverage, w, [&](const span_of_cells& s) {
-      for (int x = s.x_first; x < s.x_last; ++x) ids_(x, s.y) = seen->face->number;
+      for (int x = s.x_first; x < s.x_last; ++x) ids(x, s.y) = seen->face->number;
     });
     return single ? warnock_case::single_pixel : seen->surrounds ? warnock_case::surrounded : warnock_case::one_face;
   }
 
   // A small window with few faces: from here on lists are sets, in which face i of the list has bit i.
-  IRG_APART constexpr void look_into(const cell_window& w, std::size_t own) {
-    small_first_ = own;
-    sets_.start(w);
+  constexpr void look_into(const cell_window& w, std::size_t own) {
+    small_first = own;
+    sets.start(w);
     std::uint64_t listed = 0;
-    for (std::size_t i = own; i < lists_.size(); ++i) {
+    for (std::size_t i = own; i < lists.size(); ++i) {
       const std::uint64_t bit = std::uint64_t{1} << (i - own);
-      sets_.add(lists_[i].face->coverage, bit);
+      sets.add(lists[i].face->coverage, bit);
       listed |= bit;
     }
     look_at_set(w, listed, 0);
   }
-  IRG_APART constexpr const screen_face& first_of(std::uint64_t set) const noexcept {
-    return *lists_[small_first_ + static_cast<std::size_t>(std::countr_zero(set))].face;
+  constexpr const screen_face& first_of(std::uint64_t set) const noexcept {
+    return *lists[small_first + static_cast<std::size_t>(std::countr_zero(set))].face;
   }
-  IRG_APART static constexpr bool are_several(std::uint64_t set) noexcept { return (set & (set - 1)) != 0; }
+  static constexpr bool are_several(std::uint64_t set) noexcept { return (set & (set - 1)) != 0; }
 
   // The same as look_at: `listed` is the parent's list, of which `surrounding` surround the parent.
-  IRG_APART constexpr void look_at_set(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
-    counts_.classified += std::popcount(listed & ~surrounding);
-    const face_sets::touching_window of = sets_.touching(w);
+  constexpr void look_at_set(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
+    counts.classified += std::popcount(listed & ~surrounding);
+    const face_sets::touching_window of = sets.touching(w);
     const std::uint64_t inside = of.everywhere & listed;
     std::uint64_t touching = of.somewhere & listed;
     if (touching == 0) return note(w, warnock_case::empty);
@@ -260,7 +259,7 @@ private:
     if (!are_several(touching)) {
       for (int y = w.y_first; y < w.y_last; ++y)
         for (int x = w.x_first; x < w.x_last; ++x)
-          if ((sets_(x, y) & touching) != 0) ids_(x, y) = first_of(touching).number;
+          if ((sets(x, y) & touching) != 0) ids(x, y) = first_of(touching).number;
       return note(w, (touching & inside) != 0 ? warnock_case::surrounded : warnock_case::one_face);
     }
     note(w, warnock_case::divided);
@@ -271,20 +270,20 @@ private:
         look_at_set(part, touching, touching & inside);
   }
   // The same for a pixel: all that cover it but the nearest are hidden.
-  IRG_APART constexpr void look_at_pixel(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
-    counts_.classified += std::popcount(listed & ~surrounding);
+  constexpr void look_at_pixel(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
+    counts.classified += std::popcount(listed & ~surrounding);
     const int x = w.x_first, y = w.y_first;
-    std::uint64_t covering = sets_(x, y) & listed;
+    std::uint64_t covering = sets(x, y) & listed;
     if (covering == 0) return note(w, warnock_case::empty);
     const screen_face* seen = &first_of(covering);
     while ((covering &= covering - 1) != 0) {
-      ++counts_.hidden;
+      ++counts.hidden;
       if (is_nearer<Order>(first_of(covering), *seen, x, y)) seen = &first_of(covering);
     }
-    ids_(x, y) = seen->number;
+    ids(x, y) = seen->number;
     note(w, warnock_case::single_pixel);
   }
-  IRG_APART constexpr std::uint64_t without_hidden(const cell_window& w, std::uint64_t touching, std::uint64_t inside) {
+  constexpr std::uint64_t without_hidden(const cell_window& w, std::uint64_t touching, std::uint64_t inside) {
     const auto lowest_bit = [](std::uint64_t set) { return set & (~set + 1); };
     std::uint64_t front = lowest_bit(inside);
     for (std::uint64_t rest = inside ^ front; rest != 0; rest &= rest - 1)
@@ -292,20 +291,13 @@ private:
     for (std::uint64_t rest = touching ^ front; rest != 0; rest &= rest - 1)
       if (hides_in_window<Order>(first_of(front), first_of(rest), w)) {
         touching ^= lowest_bit(rest);
-        ++counts_.hidden;
+        ++counts.hidden;
       }
     return touching;
   }
-
-  image<std::uint32_t>& ids_;
-  Observer& observer_;
-  std::vector<warnock_face> lists_{};
-  face_sets sets_{};  // of the small window that is looked into
-  std::size_t small_first_ = 0;  // and where its list begins
-  warnock_counts counts_{};
 };
 
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -314,7 +306,7 @@ constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& win
                                       Observer&& observer) {
   if (window.empty()) return {};
   const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-  return detail::warnock_division<Order, std::remove_reference_t<Observer>>(ids, observer)(list, window);
+  return detail::warnock_division<Order, std::remove_reference_t<Observer>>{ids, observer}(list, window);
 }
 
 }  // namespace IRG_ABI

@@ -15,8 +15,7 @@
 #include <irg/math/vec.hpp>
 #include <irg/mesh/face_normal.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Whether a mesh is closed: along each side of a face one other side runs the other way.
 /// gives   true for a mesh without faces; false where a side joins a position to itself or more than two faces meet.
@@ -38,16 +37,14 @@ template <Mesh M>
 template <SpaceMesh M>
 [[nodiscard]] constexpr bool is_convex_body(const M& m);
 
-}  // namespace IRG_ABI
+}  // namespace irg::inline IRG_ABI
 
-namespace detail {
+namespace irg::detail::inline IRG_ABI {
 
 // The side of a face from one position to the next.
 struct mesh_side {
   std::size_t from, to, face;
 };
-
-inline namespace IRG_ABI {
 
 // All sides of a mesh, those between the same two positions beside each other, the one that ascends first.
 template <Mesh M>
@@ -200,10 +197,9 @@ private:
   std::array<P, 4> spanning_{};
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 template <Mesh M>
 [[nodiscard]] constexpr bool is_closed(const M& m) {
@@ -215,5 +211,4 @@ template <SpaceMesh M>
   return detail::convexity_check<M>(m)();
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -13,8 +13,7 @@
 
 #include <irg/mesh/half_edge_mesh.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// A new shell: one face whose loop is one vertex at p (mvfs).
 /// gives   the loop and its vertex, from which make_edge_vertex goes on
@@ -79,9 +78,9 @@ constexpr std::uint32_t kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint
 template <Scalar T>
 constexpr std::uint32_t make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint32_t ring);
 
-}  // namespace IRG_ABI
+}  // namespace irg::inline IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <Scalar T>
 class euler_editor {
@@ -132,9 +131,20 @@ public:
     return f;
   }
 
-  constexpr void link(std::uint32_t before, std::uint32_t after) noexcept {
+  // Each comes next to the one before.
+  template <class... More>
+  constexpr void link(std::uint32_t before, std::uint32_t after, More... more) noexcept {
     b_.half_edges[before].next = after;
     b_.half_edges[after].previous = before;
+    if constexpr (sizeof...(more) > 0) link(after, more...);
+  }
+  // An edge from the vertex that `from` leaves to the one that `to` leaves, across what is on their left.
+  constexpr std::uint32_t add_edge_across(std::uint32_t from, std::uint32_t to) {
+    const std::uint32_t before_from = b_.previous(from), before_to = b_.previous(to);
+    const std::uint32_t there = add_edge(b_.origin(from), b_.origin(to));
+    link(before_from, there, to);
+    link(before_to, there + 1, from);
+    return there;
   }
   // All half-edges from h on come to belong to l.
   constexpr void give_loop(std::uint32_t h, std::uint32_t l) noexcept {
@@ -190,9 +200,9 @@ private:
   half_edge_mesh<T>& b_;
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 template <Scalar T>
 constexpr lone_vertex make_shell(half_edge_mesh<T>& b, const point<T, 3>& p) {
@@ -228,14 +238,10 @@ constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t fir
   edit.loop(there) = edit.loop(first);
   edit.loop(back) = edit.loop(last);
   if (first == last) {
-    edit.link(before_first, there);
-    edit.link(there, back);
-    edit.link(back, first);
+    edit.link(before_first, there, back, first);
   } else {
-    edit.link(before_first, there);
-    edit.link(there, first);
-    edit.link(before_last, back);
-    edit.link(back, last);
+    edit.link(before_first, there, first);
+    edit.link(before_last, back, last);
   }
   b.half_edge_at[v] = there;
   b.half_edge_at[w] = back;
@@ -249,8 +255,7 @@ constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from,
   if (i == b.lone_vertices.size()) return half_edge::none;
   edit.forget_lone(i);
   const std::uint32_t w = edit.add_vertex(p), there = edit.add_edge(from.vertex, w), back = there + 1;
-  edit.link(there, back);
-  edit.link(back, there);
+  edit.link(there, back, there);
   edit.loop(there) = edit.loop(back) = from.loop;
   b.loops[from.loop].first = there;
   b.half_edge_at[from.vertex] = there;
@@ -289,12 +294,7 @@ constexpr std::uint32_t make_edge_face(half_edge_mesh<T>& b, std::uint32_t from,
   if (from == to || !edit.is_edge(from) || !edit.is_edge(to)) return half_edge::none;
   const std::uint32_t l = edit.loop(from);
   if (l == half_edge::none || l != edit.loop(to)) return half_edge::none;
-  const std::uint32_t before_from = b.previous(from), before_to = b.previous(to);
-  const std::uint32_t there = edit.add_edge(b.origin(from), b.origin(to)), back = there + 1;
-  edit.link(before_from, there);
-  edit.link(there, to);
-  edit.link(before_to, back);
-  edit.link(back, from);
+  const std::uint32_t there = edit.add_edge_across(from, to), back = there + 1;
   edit.loop(there) = l;
   b.loops[l].first = there;
   const std::uint32_t added = edit.add_loop(back, half_edge::none);
@@ -377,12 +377,7 @@ constexpr std::uint32_t make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t 
     b.loops[keep].next = b.faces[f];
     b.faces[f] = keep;
   }
-  const std::uint32_t before_from = b.previous(from), before_to = b.previous(to);
-  const std::uint32_t there = edit.add_edge(b.origin(from), b.origin(to)), back = there + 1;
-  edit.link(before_from, there);
-  edit.link(there, to);
-  edit.link(before_to, back);
-  edit.link(back, from);
+  const std::uint32_t there = edit.add_edge_across(from, to);
   for (std::uint32_t h = there; h != from; h = b.next(h)) b.half_edges[h].loop = keep;
   b.loops[ring] = half_edge_loop{};
   return there;
@@ -409,5 +404,4 @@ constexpr std::uint32_t make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint
   return edit.add_face(ring, f);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -13,15 +13,14 @@
 #include <irg/math/length.hpp>
 #include <irg/mesh/mesh.hpp>
 
-namespace irg {
-namespace detail {
+namespace irg::detail {
 
 template <SpaceMesh M>
 using mesh_normal = vec<scalar_of<typename mesh_traits<M>::point>, 3>;
 
-}  // namespace detail
+}  // namespace irg::detail
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The plane normal of a polygon by Newell's method about its first vertex: at right angles to the plane, pointing to
 /// the side from which the vertices run counter-clockwise, as long as twice the polygon's area.
@@ -42,15 +41,15 @@ template <PolygonRing R>
 template <SpaceMesh M>
 [[nodiscard]] constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept;
 
-}  // namespace IRG_ABI
+}  // namespace irg::inline IRG_ABI
 
-namespace detail {
+namespace irg::detail::inline IRG_ABI {
 
 /// The differences between the vertices of a polygon, position(0) to position(count - 1), in double and times a power
 /// of two that brings the largest near 1, so that products of them stay in range for any finite positions.
 /// shape   after is 0 when all vertices coincide or one is not finite
 template <class Position>
-struct IRG_APART polygon_edges {
+struct polygon_edges {
   std::size_t count;
   Position position;
   double before = 1, after = 0;  // the factors of a difference's terms and of the difference
@@ -63,8 +62,6 @@ struct IRG_APART polygon_edges {
     });
   }
 };
-
-inline namespace IRG_ABI {
 
 template <class Position>
 constexpr polygon_edges<Position> edges_of(std::size_t count, const Position& position) noexcept {
@@ -100,10 +97,9 @@ constexpr auto edges_of_face(const M& m, std::size_t f) noexcept {
                   [&m, f](std::size_t k) { return mesh_traits<M>::position(m, mesh_traits<M>::face_vertex(m, f, k)); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 3 && Floating<scalar_of<typename ring_traits<R>::point>>)
@@ -123,5 +119,4 @@ template <SpaceMesh M>
   return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>((*unit)[i]); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

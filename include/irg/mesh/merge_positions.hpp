@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <irg/mesh/detail/equal_vectors.hpp>
+#include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg::inline IRG_ABI {

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include <irg/mesh/detail/equal_vectors.hpp>
+#include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/core/vocabulary.hpp>
 #include <irg/mesh/triangulate.hpp>

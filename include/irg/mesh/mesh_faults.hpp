@@ -10,7 +10,6 @@
 
 #include <irg/geometry/point_on_triangle.hpp>
 #include <irg/mesh/detail/corner_groups.hpp>
-#include <irg/mesh/detail/equal_vectors.hpp>
 #include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/mesh.hpp>
 
@@ -98,76 +97,72 @@ inline namespace IRG_ABI {
 namespace detail::inline IRG_ABI {
 
 template <Floating T>
-class fault_finder {
-public:
-  constexpr fault_finder(const mesh<T>& m, std::vector<mesh_fault>& found) : m_(m), found_(found) {}
+struct fault_finder {
+  const mesh<T>& m;
+  std::vector<mesh_fault>& found;
+  std::vector<std::uint32_t> names{}, face_of{};
 
   constexpr void find() {
     find_in_positions();
-    for (std::uint32_t f = 0; f < m_.face_count(); ++f) find_in_face(f);
-    face_of_.assign(m_.corners.size(), 0);
-    for (std::uint32_t f = 0; f < m_.face_count(); ++f)
-      for (std::size_t k = 0; k < m_.face_size(f); ++k) face_of_[m_.face_starts[f] + k] = f;
+    for (std::uint32_t f = 0; f < m.face_count(); ++f) find_in_face(f);
+    face_of.assign(m.corners.size(), 0);
+    for (std::uint32_t f = 0; f < m.face_count(); ++f)
+      for (std::size_t k = 0; k < m.face_size(f); ++k) face_of[m.face_starts[f] + k] = f;
     find_at_edges();
   }
 
-private:
   constexpr void find_in_positions() {
-    std::vector<unsigned char> used(m_.positions.size(), 0);
-    for (const mesh_corner& c : m_.corners) used[c.position] = 1;
-    const auto first = first_equal_vectors<T, 3>(m_.positions);
-    for (std::uint32_t v = 0; v < m_.positions.size(); ++v) {
-      if (used[v] == 0) found_.push_back({mesh_fault_kind::position_unused, v});
-      if (first[v] != v) found_.push_back({mesh_fault_kind::positions_equal, first[v], v});
+    std::vector<unsigned char> used(m.positions.size(), 0);
+    for (const mesh_corner& c : m.corners) used[c.position] = 1;
+    const auto first = first_equal_vectors<T, 3>(m.positions);
+    for (std::uint32_t v = 0; v < m.positions.size(); ++v) {
+      if (used[v] == 0) found.push_back({mesh_fault_kind::position_unused, v});
+      if (first[v] != v) found.push_back({mesh_fault_kind::positions_equal, first[v], v});
     }
   }
 
   constexpr void find_in_face(std::uint32_t f) {
-    const std::size_t n = m_.face_size(f);
-    names_.clear();
-    for (std::size_t k = 0; k < n; ++k) names_.push_back(m_.corner(f, k).position);
-    std::sort(names_.begin(), names_.end());
+    const std::size_t n = m.face_size(f);
+    names.clear();
+    for (std::size_t k = 0; k < n; ++k) names.push_back(m.corner(f, k).position);
+    std::sort(names.begin(), names.end());
     for (std::size_t k = 1; k < n; ++k)
-      if (names_[k] == names_[k - 1] && (k == 1 || names_[k] != names_[k - 2]))
-        found_.push_back({mesh_fault_kind::corner_repeated, f, names_[k]});
-    const auto at = [&](std::size_t k) { return m_.positions[m_.corner(f, k).position]; };
+      if (names[k] == names[k - 1] && (k == 1 || names[k] != names[k - 2]))
+        found.push_back({mesh_fault_kind::corner_repeated, f, names[k]});
+    const auto at = [&](std::size_t k) { return m.positions[m.corner(f, k).position]; };
     std::size_t distant = 1;  // the first corner in another place than corner 0
     while (distant < n && at(distant) == at(0)) ++distant;
     for (std::size_t k = distant + 1; k < n; ++k)
       if (!are_collinear(at(0), at(distant), at(k))) return;
-    found_.push_back({mesh_fault_kind::face_without_area, f});
+    found.push_back({mesh_fault_kind::face_without_area, f});
   }
 
   // Runs through the ends of edges, those at one position after the other, and of one edge side by side.
   constexpr void find_at_edges() {
-    const auto ends = edge_ends(m_);
-    corner_groups groups(m_.corners.size());
+    const auto ends = edge_ends(m);
+    corner_groups groups(m.corners.size());
     for (std::size_t i = 0, next = 0; i < ends.size(); i = next) {
       while (next < ends.size() && ends[next].from == ends[i].from && ends[next].to == ends[i].to) ++next;
       // Where a face only touches its own edge's other end twice, both ends are of one corner.
       for (std::size_t k = i + 1; k < next; ++k) groups.join(ends[i].corner, ends[k].corner);
       if (ends[i].from < ends[i].to) judge_edge(ends.data() + i, next - i);
     }
-    std::vector<std::uint32_t> fans(m_.positions.size(), 0);
-    for (std::uint32_t c = 0; c < m_.corners.size(); ++c)
-      if (groups.of(c) == c) ++fans[m_.corners[c].position];
+    std::vector<std::uint32_t> fans(m.positions.size(), 0);
+    for (std::uint32_t c = 0; c < m.corners.size(); ++c)
+      if (groups.of(c) == c) ++fans[m.corners[c].position];
     for (std::uint32_t v = 0; v < fans.size(); ++v)
-      if (fans[v] > 1) found_.push_back({mesh_fault_kind::vertex_of_many_fans, v, fans[v]});
+      if (fans[v] > 1) found.push_back({mesh_fault_kind::vertex_of_many_fans, v, fans[v]});
   }
 
   constexpr void judge_edge(const edge_end* ends, std::size_t n) {
     const std::uint32_t a = ends[0].from, b = ends[0].to;
     if (n == 1)
-      found_.push_back({mesh_fault_kind::open_edge, a, b, face_of_[ends[0].corner]});
+      found.push_back({mesh_fault_kind::open_edge, a, b, face_of[ends[0].corner]});
     else if (n > 2)
-      found_.push_back({mesh_fault_kind::edge_of_many_faces, a, b, static_cast<std::uint32_t>(n)});
+      found.push_back({mesh_fault_kind::edge_of_many_faces, a, b, static_cast<std::uint32_t>(n)});
     else if (ends[0].leaves == ends[1].leaves)
-      found_.push_back({mesh_fault_kind::faces_turned_apart, a, b, face_of_[ends[0].corner], face_of_[ends[1].corner]});
+      found.push_back({mesh_fault_kind::faces_turned_apart, a, b, face_of[ends[0].corner], face_of[ends[1].corner]});
   }
-
-  const mesh<T>& m_;
-  std::vector<mesh_fault>& found_;
-  std::vector<std::uint32_t> names_, face_of_;
 };
 
 }  // namespace detail::inline IRG_ABI
@@ -183,7 +178,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr std::vector<mesh_fault> list_faults(const mesh<T>& m) {
   std::vector<mesh_fault> found;
-  detail::fault_finder<T>(m, found).find();
+  detail::fault_finder<T>{m, found}.find();
   return found;
 }
 

@@ -53,7 +53,7 @@ constexpr void assign_vertex_normals(mesh<T>& m, normal_weight weight = normal_w
 
 }  // namespace IRG_ABI
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // Unit vectors by the block, in loops that compilers turn into lanes: bit for bit what newell_sum of a triangle's edges
 // and try_normalize give one by one, but for the signs of zeros, which sums that begin at 0 do not keep.
@@ -64,8 +64,6 @@ struct unit_block {
   double u[3][size], v[3][size];
   std::uint64_t is_odd[size];  // not 0 where a vector is too long, too short or no number for this
 };
-
-inline namespace IRG_ABI {
 
 /// Puts u x v in the place of u, for two edges of a triangle in the unit that edges_of takes.
 inline void put_crosses(unit_block& b, std::size_t count) noexcept {
@@ -198,8 +196,7 @@ constexpr void for_weighted_corners(const M& m, std::size_t face, normal_weight 
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

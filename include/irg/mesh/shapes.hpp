@@ -25,6 +25,19 @@ struct grid_options {
   int columns = 10, rows = 10;  // cells along x and z; taken as 1 if less, as 4096 if more
 };
 
+/// How finely a sphere is cut: columns around the axis and layers from pole to pole.
+struct sphere_options {
+  int slices = 32;  // taken as 3 if less, as 4096 if more
+  int stacks = 16;  // taken as 2 if less, as 4096 if more
+};
+
+/// The size of a torus and how finely it is cut: around the axis (major) and around the tube (minor).
+template <Floating T>
+struct torus_options {
+  T major_radius = 1, minor_radius = T(0.4);
+  int major_segments = 48, minor_segments = 24;  // taken as 3 if less, as 4096 if more
+};
+
 namespace detail::inline IRG_ABI {
 
 /// Triangles over the positions of m, three digits each; digits count from 1 as in an OBJ file, up to 9, then A, B, C.
@@ -49,6 +62,30 @@ constexpr void add_central_normals(mesh<T>& m) {
     if constexpr (Floating<T>) sum = normalized(sum);
     m.normals.push_back(sum);
   }
+}
+
+// The vertices of a profile's point all round: one where it lies on the axis.
+template <Floating T>
+constexpr std::vector<std::uint32_t> add_turned_point(mesh<T>& m, T radius, T height, int slices) {
+  std::vector<std::uint32_t> ring;
+  for (int i = 0; i < slices; ++i) {
+    if (i == 0 || radius != T(0)) {
+      const vec<double, 2> across = circle_point(i, slices);
+      m.positions.push_back(
+          {converted<T>(product(widened(radius), across.x)), height, converted<T>(product(widened(radius), across.y))});
+    }
+    ring.push_back(static_cast<std::uint32_t>(m.positions.size() - 1));
+  }
+  return ring;
+}
+
+// A face without the corners that it has twice in a row.
+template <Floating T>
+constexpr void add_collapsed_face(mesh<T>& m, const std::vector<std::uint32_t>& corners) {
+  std::vector<std::uint32_t> kept;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (corners[i] != corners[i + 1 < corners.size() ? i + 1 : 0]) kept.push_back(corners[i]);
+  if (kept.size() > 2) add_face(m, kept);
 }
 
 }  // namespace detail::inline IRG_ABI
@@ -116,8 +153,7 @@ template <Floating T>
 /// exact   coordinates rounded once; mirror images in the coordinate planes are exact
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_grid(const grid_options& options = {}) {
-  const auto limited = [](int n) { return n < 1 ? 1 : n > 4096 ? 4096 : n; };
-  const int columns = limited(options.columns), rows = limited(options.rows);
+  const int columns = clamp(options.columns, 1, 4096), rows = clamp(options.rows, 1, 4096);
   const auto place = [](int k, int n) { return static_cast<T>(2 * k - n) / static_cast<T>(n); };
   mesh<T> m;
   for (int j = 0; j <= rows; ++j)
@@ -136,23 +172,6 @@ template <Floating T>
   return m;
 }
 
-}  // namespace IRG_ABI
-
-/// How finely a sphere is cut: columns around the axis and layers from pole to pole.
-struct sphere_options {
-  int slices = 32;  // taken as 3 if less, as 4096 if more
-  int stacks = 16;  // taken as 2 if less, as 4096 if more
-};
-
-/// The size of a torus and how finely it is cut: around the axis (major) and around the tube (minor).
-template <Floating T>
-struct torus_options {
-  T major_radius = 1, minor_radius = T(0.4);
-  int major_segments = 48, minor_segments = 24;  // taken as 3 if less, as 4096 if more
-};
-
-inline namespace IRG_ABI {
-
 /// The sphere of radius 1 about the origin, poles at y = 1 and y = -1.
 /// shape   slices*(stacks - 1) + 2 vertices, 2*slices*(stacks - 1) triangles, closed, counter-clockwise from outside;
 ///         one normal per vertex, equal to its position
@@ -160,7 +179,7 @@ inline namespace IRG_ABI {
 ///         exact where slices is even (x, z by 4) and stacks any number
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_sphere(const sphere_options& options = {}) {
-  const int slices = detail::clamped(options.slices, 3, 4096), stacks = detail::clamped(options.stacks, 2, 4096);
+  const int slices = clamp(options.slices, 3, 4096), stacks = clamp(options.stacks, 2, 4096);
   mesh<T> m;
   detail::add_rings(m, slices, stacks, detail::ring_end::pole, detail::ring_end::pole, [&](int i, int j) {
     const vec<double, 2> across = detail::circle_point(i, slices), down = detail::circle_point(j, 2 * stacks);
@@ -177,8 +196,8 @@ template <Floating T>
 /// exact   positions within 4u*(major_radius + minor_radius), normals within 3u of length 1
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
-  const int major = detail::clamped(options.major_segments, 3, 4096);
-  const int minor = detail::clamped(options.minor_segments, 3, 4096);
+  const int major = clamp(options.major_segments, 3, 4096);
+  const int minor = clamp(options.minor_segments, 3, 4096);
   const double ring_radius = widened(options.major_radius), tube_radius = widened(options.minor_radius);
   mesh<T> m;
   detail::add_rings(m, major, minor, detail::ring_end::closed, detail::ring_end::closed, [&](int i, int j) {
@@ -192,37 +211,6 @@ template <Floating T>
   return m;
 }
 
-}  // namespace IRG_ABI
-namespace detail::inline IRG_ABI {
-
-// The vertices of a profile's point all round: one where it lies on the axis.
-template <Floating T>
-constexpr std::vector<std::uint32_t> add_turned_point(mesh<T>& m, T radius, T height, int slices) {
-  std::vector<std::uint32_t> ring;
-  for (int i = 0; i < slices; ++i) {
-    if (i == 0 || radius != T(0)) {
-      const vec<double, 2> across = circle_point(i, slices);
-      m.positions.push_back(
-          {converted<T>(product(widened(radius), across.x)), height, converted<T>(product(widened(radius), across.y))});
-    }
-    ring.push_back(static_cast<std::uint32_t>(m.positions.size() - 1));
-  }
-  return ring;
-}
-
-// A face without the corners that it has twice in a row.
-template <Floating T>
-constexpr void add_collapsed_face(mesh<T>& m, const std::vector<std::uint32_t>& corners) {
-  std::vector<std::uint32_t> kept;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (corners[i] != corners[i + 1 < corners.size() ? i + 1 : 0]) kept.push_back(corners[i]);
-  if (kept.size() > 2) add_face(m, kept);
-}
-
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
 /// The body that a profile sweeps when it is turned about the y axis.
 /// shape   the profile's points are (radius, height), from the lower end to the upper one, the body to its left. Sides
 ///         of four corners, of three at the axis; where the profile ends off the axis, a lid of `slices` corners
@@ -231,7 +219,7 @@ inline namespace IRG_ABI {
 /// exact   positions within 3u of the radius; lids are plane, sides nearly
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32) {
-  slices = detail::clamped(slices, 3, 4096);
+  slices = clamp(slices, 3, 4096);
   mesh<T> m;
   std::vector<std::uint32_t> lower, upper;
   for (std::size_t k = 0; k < profile.size(); ++k) {

@@ -50,7 +50,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // Lengths in hundred-thousandths, in which every published decimal is an integer.
 struct turned_row {
@@ -115,8 +115,6 @@ inline constexpr std::array<tube_row, 7> teapot_spout{{
     {280000, 240000, 320000, 240000, 15000},
 }};
 
-inline namespace IRG_ABI {
-
 template <class T>
 constexpr point<T, 3> teapot_point(int x, int y, int z) noexcept {
   const auto length = [](int n) { return static_cast<T>(n) / static_cast<T>(teapot_unit); };
@@ -163,8 +161,7 @@ constexpr void add_teapot_part(mesh<T>& m, int n, const Rows& rows, int parts, i
   });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -189,7 +186,7 @@ template <Real T>
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_teapot(const teapot_options& options) {
   using detail::ring_end;
-  const int n = detail::clamped(options.subdivisions, 1, 1024);
+  const int n = clamp(options.subdivisions, 1, 1024);
   mesh<T> m;
   if (options.bottom == teapot_bottom::with)
     detail::add_teapot_part(m, n, detail::teapot_body, 4, 4, ring_end::open, ring_end::pole);

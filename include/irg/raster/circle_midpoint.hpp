@@ -9,8 +9,7 @@
 #include <irg/raster/detail/conic_arc.hpp>
 #include <irg/raster/fill_span.hpp>
 
-namespace irg {
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 struct circle_shape {
   std::int64_t r;
@@ -34,9 +33,9 @@ struct circle_shape {
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Calls sink(cell) for the cells of the circle around a cell that lie in the window, each once, in no stated order.
 /// shape   8-connected, symmetric in x, in y and in x = y; where |x| <= |y| one cell per column, the nearest to the
@@ -85,5 +84,4 @@ constexpr void fill_circle(R& raster, const cell& centre, int radius, const Pain
   circle_spans(centre, radius, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

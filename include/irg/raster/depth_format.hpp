@@ -18,6 +18,38 @@
 #include <irg/raster/subpixel.hpp>
 
 namespace irg {
+
+namespace detail::inline IRG_ABI {
+
+// The largest gap between neighbouring floats below t, next to it: 2^(e-23) for t in (2^e, 2^(e+1)].
+IRG_INLINE constexpr double float_gap_below(double t) noexcept {
+  if (!(t > 0x1p-126)) return 0x1p-149;
+  // Of the next number below t the exponent alone is left, less 23.
+  return std::bit_cast<double>(((std::bit_cast<std::uint64_t>(t) - 1) >> 52 << 52) - (std::uint64_t{23} << 52));
+}
+
+// z, or the depth that hides nothing where z is NaN; limited to [0, most].
+template <class F>
+IRG_INLINE constexpr F depth_in_range(const F& z, float most, float farthest) noexcept {
+  const auto all = [](float v) { return lanes<F>::broadcast(v); };
+  return select(z == z, low_of(all(most), high_of(all(0.0f), z)), all(farthest));
+}
+
+IRG_INLINE constexpr bool is_endless(double z_far) noexcept { return z_far > (std::numeric_limits<double>::max)(); }
+
+// near * far / (far - near), by which 1/distance is scaled between the two planes.
+IRG_INLINE constexpr double depth_scale(double z_near, double z_far) noexcept {
+  return is_endless(z_far) ? z_near : z_near / (1.0 - z_near / z_far);
+}
+
+// Reversed depth rises from 0 on the far plane to 1 on the near one.
+IRG_INLINE constexpr double reversed_depth(double z_near, double z_far, double distance) noexcept {
+  const double end = is_endless(z_far) ? 1.0 : 1.0 - distance / z_far;
+  return depth_scale(z_near, z_far) * end / distance;
+}
+
+}  // namespace detail::inline IRG_ABI
+
 namespace detail {
 
 // Depths as they are given, of any type, in an order.
@@ -48,23 +80,29 @@ struct depth_in_float : depth_as_given<Order, float> {
   static constexpr float most = Depths == float_depths::unlimited ? std::numeric_limits<float>::infinity() : 1.0f;
   static constexpr float nearest = Order::nearer(1.0f, 0.0f) ? most : 0.0f;
   template <class F>
-  IRG_INLINE static constexpr F level(const F& z) noexcept;
+  IRG_INLINE static constexpr F level(const F& z) noexcept {
+    return depth_in_range(z, most, Order::farthest);
+  }
   IRG_INLINE static constexpr float encode(float z) noexcept { return level(z); }
   IRG_INLINE static constexpr float decode(float s) noexcept { return s; }
-  IRG_INLINE static constexpr double scale(double z_near, double z_far) noexcept;
-  IRG_INLINE static constexpr double step_below(double depth) noexcept;
+  IRG_INLINE static constexpr double scale(double z_near, double z_far) noexcept { return depth_scale(z_near, z_far); }
+  IRG_INLINE static constexpr double step_below(double depth) noexcept { return float_gap_below(depth); }
 };
 
 }  // namespace detail
 
 /// z/w of a reversed projection in a float: 1 on the near plane, 0 on the far one. irg's default.
 struct depth_float_reversed : detail::depth_in_float<nearer_is_greater> {
-  IRG_INLINE static constexpr double depth_at(double z_near, double z_far, double distance) noexcept;
+  IRG_INLINE static constexpr double depth_at(double z_near, double z_far, double distance) noexcept {
+    return detail::reversed_depth(z_near, z_far, distance);
+  }
 };
 
 /// z/w of a standard projection in a float: 0 on the near plane, 1 on the far one, where floats are coarse.
 struct depth_float : detail::depth_in_float<nearer_is_less> {
-  IRG_INLINE static constexpr double depth_at(double z_near, double z_far, double distance) noexcept;
+  IRG_INLINE static constexpr double depth_at(double z_near, double z_far, double distance) noexcept {
+    return lesser(detail::depth_scale(z_near, z_far) * (1.0 / z_near - 1.0 / distance), 1.0);
+  }
 };
 
 /// One over the distance from the eye (1/w), in a float: nothing is scaled, there is no far plane. What is below 0 lies
@@ -89,7 +127,12 @@ struct depth_fixed {
 
   /// The multiple nearest to z, the greater on a tie; z is limited to [0, 1], NaN is the farthest.
   template <class F>
-  IRG_INLINE static constexpr auto level(const F& z) noexcept;
+  IRG_INLINE static constexpr auto level(const F& z) noexcept {
+    // 24 bits by 24: the product is exact, and so is the sum where it meets an integer.
+    const auto in_range = converted<double>(detail::depth_in_range(z, 1.0f, Order::farthest));
+    using D = lanes<std::remove_const_t<decltype(in_range)>>;
+    return converted<std::int32_t>(product(in_range, D::broadcast(double{largest})) + D::broadcast(0.5));
+  }
   template <class S>
   IRG_INLINE static constexpr auto level_of(const S& s) noexcept {
     return converted<std::int32_t>(s >> Low);
@@ -104,7 +147,9 @@ struct depth_fixed {
   IRG_INLINE static constexpr float decode(stored s) noexcept {
     return static_cast<float>(level_of(s)) / static_cast<float>(largest);
   }
-  IRG_INLINE static constexpr double scale(double z_near, double z_far) noexcept;
+  IRG_INLINE static constexpr double scale(double z_near, double z_far) noexcept {
+    return detail::depth_scale(z_near, z_far);
+  }
   IRG_INLINE static constexpr double depth_at(double z_near, double z_far, double distance) noexcept {
     return reversed ? depth_float_reversed::depth_at(z_near, z_far, distance)
                     : depth_float::depth_at(z_near, z_far, distance);
@@ -175,83 +220,6 @@ template <class How>
 /// exact   within 10 ulp of the formula s = q d d / (k + q d), q the step and k the scale of the format; depths as a
 ///         pipeline computes them carry their own rounding beside (docs/raster/depth_format.md)
 /// source  Akeley and Su 2006
-template <DepthFormat F>
-[[nodiscard]] constexpr double depth_resolution(F, double z_near, double z_far, double distance) noexcept;
-
-}  // namespace IRG_ABI
-
-namespace detail {
-inline namespace IRG_ABI {
-
-// The largest gap between neighbouring floats below t, next to it: 2^(e-23) for t in (2^e, 2^(e+1)].
-IRG_INLINE constexpr double float_gap_below(double t) noexcept {
-  if (!(t > 0x1p-126)) return 0x1p-149;
-  // Of the next number below t the exponent alone is left, less 23.
-  return std::bit_cast<double>(((std::bit_cast<std::uint64_t>(t) - 1) >> 52 << 52) - (std::uint64_t{23} << 52));
-}
-
-// z, or the depth that hides nothing where z is NaN; limited to [0, most].
-template <class F>
-IRG_INLINE constexpr F depth_in_range(const F& z, float most, float farthest) noexcept {
-  const auto all = [](float v) { return lanes<F>::broadcast(v); };
-  return select(z == z, low_of(all(most), high_of(all(0.0f), z)), all(farthest));
-}
-
-IRG_INLINE constexpr bool is_endless(double z_far) noexcept { return z_far > (std::numeric_limits<double>::max)(); }
-
-// near * far / (far - near), by which 1/distance is scaled between the two planes.
-IRG_INLINE constexpr double depth_scale(double z_near, double z_far) noexcept {
-  return is_endless(z_far) ? z_near : z_near / (1.0 - z_near / z_far);
-}
-
-// Reversed depth rises from 0 on the far plane to 1 on the near one.
-IRG_INLINE constexpr double reversed_depth(double z_near, double z_far, double distance) noexcept {
-  const double end = is_endless(z_far) ? 1.0 : 1.0 - distance / z_far;
-  return depth_scale(z_near, z_far) * end / distance;
-}
-
-}  // namespace IRG_ABI
-
-template <class Order, float_depths Depths>
-template <class F>
-IRG_INLINE constexpr F depth_in_float<Order, Depths>::level(const F& z) noexcept {
-  return depth_in_range(z, most, Order::farthest);
-}
-template <class Order, float_depths Depths>
-IRG_INLINE constexpr double depth_in_float<Order, Depths>::scale(double z_near, double z_far) noexcept {
-  return depth_scale(z_near, z_far);
-}
-template <class Order, float_depths Depths>
-IRG_INLINE constexpr double depth_in_float<Order, Depths>::step_below(double depth) noexcept {
-  return float_gap_below(depth);
-}
-
-}  // namespace detail
-
-IRG_INLINE constexpr double depth_float_reversed::depth_at(double z_near, double z_far, double distance) noexcept {
-  return detail::reversed_depth(z_near, z_far, distance);
-}
-
-IRG_INLINE constexpr double depth_float::depth_at(double z_near, double z_far, double distance) noexcept {
-  return lesser(detail::depth_scale(z_near, z_far) * (1.0 / z_near - 1.0 / distance), 1.0);
-}
-
-template <int Bits, DepthOrder Order, int Low>
-template <class F>
-IRG_INLINE constexpr auto depth_fixed<Bits, Order, Low>::level(const F& z) noexcept {
-  // 24 bits by 24: the product is exact, and so is the sum where it meets an integer.
-  const auto in_range = converted<double>(detail::depth_in_range(z, 1.0f, Order::farthest));
-  using D = lanes<std::remove_const_t<decltype(in_range)>>;
-  return converted<std::int32_t>(product(in_range, D::broadcast(double{largest})) + D::broadcast(0.5));
-}
-
-template <int Bits, DepthOrder Order, int Low>
-IRG_INLINE constexpr double depth_fixed<Bits, Order, Low>::scale(double z_near, double z_far) noexcept {
-  return detail::depth_scale(z_near, z_far);
-}
-
-inline namespace IRG_ABI {
-
 template <DepthFormat F>
 [[nodiscard]] constexpr double depth_resolution(F, double z_near, double z_far, double distance) noexcept {
   const bool usable =

@@ -50,17 +50,13 @@ struct line_piece {
   std::uint32_t line;
 };
 
-struct line_of_batch {
-  cell from, to;
-};
-
 // The memory of a batch: the pieces of each tile in the order of the lines; or whole lines, their tiles, and where in
 // the sorted lines the next one of each tile goes.
 template <class Piece = line_piece>
 struct line_pieces {
   std::vector<std::vector<Piece>> of_tile;
   std::size_t count = 0;
-  std::vector<line_of_batch> sorted;
+  std::vector<cell_line> sorted;
   std::vector<std::uint32_t> tile, next;
 
   // Makes room for a number of tiles, all empty: an exception may have left pieces of an earlier call.
@@ -104,7 +100,7 @@ constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_opti
 
 }  // namespace IRG_ABI
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // The inner loops of draw_lines. Random lines over a picture that is larger than the caches wait for memory at nearly
 // every cell. So lines are cut where they cross the borders of tiles, and the pieces drawn tile by tile, in each tile
@@ -134,8 +130,6 @@ enum class batch_order { given, by_middle, by_piece };
 inline constexpr std::uint64_t fewest_cells_per_cache_line = 3, cache_line_bytes = 64;
 inline constexpr std::uint64_t shortest_by_middle = 12, shortest_by_piece = 48, longest_by_middle = 200;
 inline constexpr std::size_t lines_sampled = 64, lines_at_once = std::size_t{1} << 18;
-
-inline namespace IRG_ABI {
 
 constexpr tile_grid tiles_of(const cell_window& window, std::size_t pixel_bytes) noexcept {
   tile_grid g{window, 4, tile_height_bits, 0, 0};
@@ -298,7 +292,7 @@ void draw_lines_by_middle(R& raster, const Lines& lines, const cell_window& wind
     }
     for (std::size_t i = 0; i < count; ++i)
       memory.sorted[memory.next[memory.tile[i]]++] = {lines[begin + i].from, lines[begin + i].to};
-    for (const line_of_batch& line : memory.sorted)
+    for (const cell_line& line : memory.sorted)
       walk_line_in(raster, line.from, line.to, window, options, [value](pixel_of<R>* p) { *p = value; });
   }
 }
@@ -340,8 +334,7 @@ void draw_lines_by_piece(R& raster, const Lines& lines, const cell_window& windo
   draw_pieces(rows, pieces, grid.count, value_of);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

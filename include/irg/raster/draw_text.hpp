@@ -18,8 +18,7 @@
 #include <irg/raster/stroke_font.hpp>
 #include <irg/raster/line_style.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// How much room a text takes: its advance along the baseline, what is above that and below.
 /// units   those of the size
@@ -53,15 +52,13 @@ template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr bool draw_text(R& raster, std::string_view text, const point<double, 2>& at, const text_style& style,
                          const Paint& paint);
 
-}  // namespace IRG_ABI
+}  // namespace irg::inline IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // From bytes to code points, and from a glyph's text to polylines in pixels.
 
 constexpr bool is_text_size(double size) noexcept { return size > 0 && size <= 0x1p20; }
-
-constexpr double usual_weight(double size) noexcept { return size > 12 ? size / 12 : 1; }
 
 // The code point at text[at], which moves behind it; U+FFFD, one byte on, where there is no well-formed one.
 constexpr char32_t next_code_point(std::string_view text, std::size_t& at) noexcept {
@@ -140,9 +137,9 @@ struct glyph_pen {
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 [[nodiscard]] constexpr text_extent measure_text(std::string_view text, double size) noexcept {
   if (!detail::is_text_size(size)) return {};
@@ -180,7 +177,9 @@ constexpr bool draw_text(R& raster, std::string_view text, const point<double, 2
                          const Paint& paint) {
   std::vector<std::vector<point<double, 2>>> rings;
   const auto keep = [&](std::span<const point<double, 2>> ring) { rings.emplace_back(ring.begin(), ring.end()); };
-  const stroke_style line{.width = style.weight > 0 ? style.weight : detail::usual_weight(style.size),
+  const stroke_style line{.width = style.weight > 0  ? style.weight
+                                   : style.size > 12 ? style.size / 12
+                                                     : 1,
                           .caps = line_caps::round};
   bool all = true;
   const bool done = text_strokes(
@@ -188,5 +187,4 @@ constexpr bool draw_text(R& raster, std::string_view text, const point<double, 2
   return done && all && fill_polygon_aa(raster, rings, fill_rule::non_zero, paint);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -142,15 +142,11 @@ constexpr draw_counts triangle_rows(Colour& colour, Depth& depth, const covered_
   return {total(counts.tested), total(counts.shaded), total(counts.ties)};
 }
 
-}  // namespace detail::inline IRG_ABI
-
-namespace detail {
-
 // A raster that triangles can be drawn into by depth: in an order floats are kept, in a format what it says.
 template <class R, class How>
 concept KeepsDepths = DepthKeeping<How, pixel_of<R>> && (DepthFormat<How> || std::same_as<pixel_of<R>, float>);
 
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -13,8 +13,7 @@
 #include <irg/raster/detail/conic_arc.hpp>
 #include <irg/raster/fill_span.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Calls sink(cell) for the cells of the ellipse around a cell that lie in the window, each once, in no stated order.
 /// shape   8-connected, symmetric in x and in y; one cell per column, the nearest to the true ellipse, where that is
@@ -51,9 +50,9 @@ constexpr void fill_ellipse(R& raster, const cell& centre, int radius_x, int rad
                 [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
-}  // namespace IRG_ABI
+}  // namespace irg::inline IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The ellipse with radius p along and q aside, both positive; J holds 4 * p^2 * q^2.
 template <class J>
@@ -120,9 +119,9 @@ constexpr void full_ellipse_spans(const cell& centre, std::int64_t a, std::int64
   });
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 template <CellSink Sink>
 constexpr void ellipse_midpoint(const cell& centre, int radius_x, int radius_y, const cell_window& window,
@@ -149,5 +148,4 @@ constexpr void ellipse_spans(const cell& centre, int radius_x, int radius_y, con
     detail::full_ellipse_spans<int128>(centre, radius_x, radius_y, window, sink);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -100,7 +100,7 @@ template <DepthOrder Order = nearer_is_greater>
 
 }  // namespace IRG_ABI
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // Which of two planes lies deeper at a place on the screen, exactly. A plane is given by a triangle's corners; its
 // depth at p is (E0 d0 + E1 d1 + E2 d2) / A, where d are the depths of the corners, E the edge functions opposite to
@@ -117,8 +117,6 @@ struct mean_depth {
 // As it is at hand. Positions lie within 2^29, so edge functions, twice the areas of triangles in a square of side
 // 2^30, are at most 2^60 in size.
 using plane_depth_at = mean_depth<std::int64_t, float>;
-
-inline namespace IRG_ABI {
 
 // A number with the sign of the depth of a less that of b: their difference times both totals.
 template <class Weight, class Depth>
@@ -249,8 +247,7 @@ IRG_NOINLINE constexpr int compare_close_planes(const screen_face& a, const scre
   return compare_planes<Order>(a, b, x, y);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

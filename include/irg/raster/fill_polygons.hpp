@@ -20,12 +20,10 @@ concept PaintsFor = PaintFor<T, R> || requires(const T& paints, std::size_t i) {
   requires PaintFor<std::remove_cvref_t<decltype(paints[i])>, R>;
 };
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // A band of rows that stays in the second-level cache of most processors, with room for what else is in use.
 inline constexpr std::int64_t polygon_band_bytes = 512 * 1024;
-
-inline namespace IRG_ABI {
 
 template <WritableRaster R, PaintsFor<R> Paints>
 constexpr decltype(auto) paint_at(const Paints& paints, std::size_t i) {
@@ -71,8 +69,7 @@ constexpr bool for_each_in_band(const P& polygons, std::size_t n, const cell_win
   return all;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

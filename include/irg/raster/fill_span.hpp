@@ -13,9 +13,7 @@
 #include <irg/raster/paint.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg {
-
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class P>
 inline constexpr bool fills_in_lanes =
@@ -75,23 +73,6 @@ IRG_INLINE constexpr void fill_run(P* first, std::size_t count, const P& value,
   for (std::size_t i = 0; i < count; ++i) first[i] = value;
 }
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
-/// Writes count copies of value to the pixels from first on.
-/// exact   the same bytes from the plain loop and from lanes
-/// cost    one store per register's worth of pixels
-template <class P>
-IRG_INLINE constexpr void fill_pixels(P* first, std::size_t count,
-                                      const P& value) noexcept(std::is_nothrow_copy_assignable_v<P>) {
-  detail::fill_run(first, count, value, 0);
-}
-
-}  // namespace IRG_ABI
-
-namespace detail::inline IRG_ABI {
-
 // A paint as the loops over runs want it: the pixel itself, made once, or a reference to the function.
 template <WritableRaster R, PaintFor<R> Paint>
 IRG_INLINE constexpr decltype(auto) prepared_paint(const Paint& paint) {
@@ -113,9 +94,18 @@ IRG_INLINE constexpr void paint_run(R& raster, int y, int first, int last, const
     for (int x = first; x < last; ++x) paint_pixel(raster, x, y, paint);
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
+
+/// Writes count copies of value to the pixels from first on.
+/// exact   the same bytes from the plain loop and from lanes
+/// cost    one store per register's worth of pixels
+template <class P>
+IRG_INLINE constexpr void fill_pixels(P* first, std::size_t count,
+                                      const P& value) noexcept(std::is_nothrow_copy_assignable_v<P>) {
+  detail::fill_run(first, count, value, 0);
+}
 
 /// Paints those pixels of a span that lie in the raster.
 /// gives   nothing when the span is empty or misses the raster
@@ -135,5 +125,4 @@ constexpr void clear(R& raster, const pixel_of<R>& value) {
   for (int y = w.y_first; y < w.y_last; ++y) fill_span(raster, {y, w.x_first, w.x_last}, value);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -40,7 +40,7 @@ struct IRG_APART line_allocator {
 
 }  // namespace detail
 
-/// A window onto pixels that somebody else owns.
+/// A window onto pixels that somebody else owns. It writes through even when it is itself const, as a pointer does.
 /// shape   height() rows of width() pixels; row y starts `stride` bytes after row y - 1, before it when stride < 0
 ///         (bottom-up images: first_row points at the top row, the last in memory)
 /// needs   |stride| >= width * sizeof(P) and a multiple of alignof(P), or height <= 1
@@ -68,6 +68,7 @@ public:
   [[nodiscard]] IRG_INLINE constexpr int width() const noexcept { return width_; }
   [[nodiscard]] IRG_INLINE constexpr int height() const noexcept { return height_; }
   [[nodiscard]] IRG_INLINE constexpr std::ptrdiff_t stride() const noexcept { return stride_; }
+  [[nodiscard]] IRG_INLINE constexpr std::ptrdiff_t bytes_per_row() const noexcept { return stride_; }
 
   /// The pixels of row y.
   /// needs   0 <= y < height()
@@ -141,28 +142,5 @@ private:
   int width_ = 0, height_ = 0;
   std::vector<P, detail::line_allocator<P>> pixels_;
 };
-
-/// An image_view writes through even when it is itself const, as a pointer does.
-template <class P>
-struct raster_traits<image_view<P>> {
-  using pixel = std::remove_const_t<P>;
-  IRG_INLINE static constexpr int width(const image_view<P>& r) noexcept { return r.width(); }
-  IRG_INLINE static constexpr int height(const image_view<P>& r) noexcept { return r.height(); }
-  IRG_INLINE static constexpr pixel get(const image_view<P>& r, int x, int y) noexcept { return r(x, y); }
-  IRG_INLINE static constexpr void set(const image_view<P>& r, int x, int y, const pixel& p) noexcept
-    requires(!std::is_const_v<P>)
-  {
-    r(x, y) = p;
-  }
-  IRG_INLINE static constexpr P* row(const image_view<P>& r, int y) noexcept
-    requires(!std::is_const_v<P>)
-  {
-    return r.row(y);
-  }
-  IRG_INLINE static constexpr std::ptrdiff_t bytes_per_row(const image_view<P>& r) noexcept { return r.stride(); }
-};
-
-template <class P>
-struct raster_traits<const image_view<P>> : raster_traits<image_view<P>> {};
 
 }  // namespace irg

@@ -4,9 +4,7 @@
 
 #include <irg/raster/detail/line_frame.hpp>
 
-namespace irg {
-
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class Sink>
 constexpr void emit_bresenham(const bresenham_frame& f, const step_range& steps, Sink& sink) {
@@ -22,9 +20,9 @@ constexpr void emit_bresenham(const bresenham_frame& f, const step_range& steps,
   }
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Calls sink(cell) for the cells of the line from a to b that lie in the window, in the order from a to b.
 /// shape   8-connected; of the whole line, max(|dx|, |dy|) + 1 cells, both ends among them
@@ -47,5 +45,4 @@ constexpr void line_bresenham(cell a, cell b, Sink&& sink, const line_options& o
   detail::emit_bresenham(f, {0, detail::steps_drawn(f, options.ends)}, sink);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -134,17 +134,11 @@ constexpr std::uint64_t line_styled(cell a, cell b, const line_dashes<Pattern>& 
 /// Paints the drawn pixels of the dashed line from a to b.
 /// gives   the phase at b
 /// exact   the cells of line_styled
-template <class Pattern, WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr std::uint64_t draw_line_styled(R& raster, cell a, cell b, const line_dashes<Pattern>& dashes,
-                                         const Paint& paint) {
-  return line_styled(a, b, dashes, window_of(raster), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); });
-}
-
-/// The same between positions of another type.
-template <class Pattern, WritableRaster R, CellPosition P, PaintFor<R> Paint = pixel_of<R>>
+template <class Pattern, WritableRaster R, CellOrPosition P = cell, PaintFor<R> Paint = pixel_of<R>>
 constexpr std::uint64_t draw_line_styled(R& raster, const P& a, const P& b, const line_dashes<Pattern>& dashes,
                                          const Paint& paint) {
-  return draw_line_styled(raster, as_cell(a), as_cell(b), dashes, paint);
+  return line_styled(as_cell(a), as_cell(b), dashes, window_of(raster),
+                     [&](cell c) { paint_pixel(raster, c.x, c.y, paint); });
 }
 
 }  // namespace IRG_ABI

@@ -7,11 +7,8 @@
 // column. The two rules differ in ties and in the cells at the ends only, so one walk serves both.
 #pragma once
 
-#include <irg/math/floor_division.hpp>
-#include <irg/raster/line_style.hpp>
+#include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/paint.hpp>
-#include <irg/raster/subpixel.hpp>
-#include <irg/raster/window.hpp>
 
 namespace irg {
 
@@ -107,12 +104,9 @@ constexpr subpixel_walk subpixel_walk_of(const subpixel& a, const subpixel& b,
 
 // Cuts the columns to those whose cells lie in the window: a run, because rows never fall.
 constexpr void clip_walk(subpixel_walk& w, const cell_window& window) noexcept {
-  const auto turned = [](std::int64_t first, std::int64_t last, int sign) {
-    return sign > 0 ? subpixel_walk{.first = first, .last = last} : subpixel_walk{.first = -last, .last = -first};
-  };
-  const subpixel_walk x = turned(window.x_first, window.x_last, w.steep ? w.sign_aside : w.sign_along);
-  const subpixel_walk y = turned(window.y_first, window.y_last, w.steep ? w.sign_along : w.sign_aside);
-  const subpixel_walk &along = w.steep ? y : x, &aside = w.steep ? x : y;
+  const step_range x = turned(window.x_first, window.x_last, (w.steep ? w.sign_aside : w.sign_along) < 0);
+  const step_range y = turned(window.y_first, window.y_last, (w.steep ? w.sign_along : w.sign_aside) < 0);
+  const step_range along = w.steep ? y : x, aside = w.steep ? x : y;
   w.first = greater(w.first, along.first);
   w.last = lesser(w.last, along.last);
   if (w.dv > 0) {

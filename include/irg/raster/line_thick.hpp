@@ -13,8 +13,7 @@
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/line_style.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Calls sink(span) for the pixels in the window whose centres lie in the thick line from a to b, from top to bottom.
 /// shape   one span per row: butt caps give the rectangle of the pen's width around the line, square caps one longer by
@@ -59,9 +58,9 @@ constexpr void draw_polyline_thick(R& raster, std::span<const subpixel> points, 
   polyline_thick(points, pen, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
-}  // namespace IRG_ABI
+}  // namespace irg::inline IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The shape of a thick line as four half-planes and up to two discs, each decided at pixel centres in integers.
 //
@@ -251,15 +250,15 @@ constexpr thick_stroke<std::int64_t> thick_stroke_between(const subpixel& a, con
   return thick_stroke_of<std::int64_t, subpixel_bits>({a.x, a.y, b.x, b.y}, width, start, end);
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 template <ScreenPosition P, SpanSink Sink>
 constexpr bool line_thick(const P& a, const P& b, const line_pen& pen, const cell_window& window, Sink&& sink) {
   if (can_snap(a) && can_snap(b))
     detail::stroke_spans(detail::thick_stroke_between(snap(a), snap(b), pen.width, pen.caps, pen.caps), window, sink);
-  else if constexpr (std::same_as<P, cell> || CellPosition<P>) {
+  else if constexpr (CellOrPosition<P>) {
     const cell from = as_cell(a), to = as_cell(b);
     detail::stroke_spans(
         detail::thick_stroke_of<int128, 0>({from.x, from.y, to.x, to.y}, pen.width, pen.caps, pen.caps), window, sink);
@@ -295,5 +294,4 @@ constexpr void polyline_thick(std::span<const subpixel> points, const line_pen& 
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

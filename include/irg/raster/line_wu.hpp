@@ -50,12 +50,7 @@ constexpr bool draw_line_wu(R& raster, const P& a, const P& b, const Paint& pain
 
 }  // namespace IRG_ABI
 
-namespace detail {
-
-// The columns [first, last) or rows, in the frame or in the raster.
-struct wu_range {
-  std::int64_t first, last;
-};
+namespace detail::inline IRG_ABI {
 
 // A line in 1/256 cell, mirrored so that it rises along both axes; dv <= du, du > 0. Column j has its centre at
 // 256 * j + 128. The part from u_first to u_last is drawn.
@@ -83,8 +78,6 @@ struct wu_frame {
   }
 };
 
-inline namespace IRG_ABI {
-
 // The frame of a line in 1/256 cell; `beyond_a` and `beyond_b` are drawn before and after it.
 constexpr wu_frame wu_frame_of(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by, line_ties ties,
                                int beyond_a, int beyond_b) noexcept {
@@ -100,12 +93,8 @@ constexpr wu_frame wu_frame_of(std::int64_t ax, std::int64_t ay, std::int64_t bx
   return f;
 }
 
-constexpr wu_range wu_turned(std::int64_t first, std::int64_t last, bool mirrored) noexcept {
-  return mirrored ? wu_range{-last, -first} : wu_range{first, last};
-}
-
 // The first column whose rounded value is at least p, kept within [columns.first, columns.last].
-constexpr std::int64_t wu_first_at(const wu_frame& f, std::int64_t p, const wu_range& columns) noexcept {
+constexpr std::int64_t wu_first_at(const wu_frame& f, std::int64_t p, const step_range& columns) noexcept {
   const int128 missing = int128{p} * f.denominator() - f.numerator(0);
   if (f.dv == 0) return missing > 0 ? columns.last : columns.first;
   const int128 j = ceil_div(missing, int128{f.change()});
@@ -113,13 +102,12 @@ constexpr std::int64_t wu_first_at(const wu_frame& f, std::int64_t p, const wu_r
 }
 
 // The columns whose cells may lie in the window.
-constexpr wu_range wu_visible(const wu_frame& f, const cell_window& w) noexcept {
-  const wu_range x{w.x_first, w.x_last}, y{w.y_first, w.y_last};
-  const wu_range along = f.steep ? y : x, aside = f.steep ? x : y;
-  const wu_range u = wu_turned(along.first, along.last, f.u_mirrored),
-                 v = wu_turned(aside.first, aside.last, f.v_mirrored);
-  wu_range columns{greater(u.first, f.u_first >> subpixel_bits),
-                   lesser(u.last, (f.u_last + one_pixel - 1) >> subpixel_bits)};
+constexpr step_range wu_visible(const wu_frame& f, const cell_window& w) noexcept {
+  const step_range x{w.x_first, w.x_last}, y{w.y_first, w.y_last};
+  const step_range along = f.steep ? y : x, aside = f.steep ? x : y;
+  const step_range u = turned(along.first, along.last, f.u_mirrored), v = turned(aside.first, aside.last, f.v_mirrored);
+  step_range columns{greater(u.first, f.u_first >> subpixel_bits),
+                     lesser(u.last, (f.u_last + one_pixel - 1) >> subpixel_bits)};
   if (columns.first >= columns.last) return {0, 0};
   const std::int64_t last = wu_first_at(f, 255 * v.last, columns);
   return {wu_first_at(f, 255 * (v.first - 1) + 1, columns), last};
@@ -128,7 +116,7 @@ constexpr wu_range wu_visible(const wu_frame& f, const cell_window& w) noexcept 
 template <class Sink>
 constexpr void wu_walk(const wu_frame& f, const cell_window& w, Sink& sink) {
   if (w.empty() || f.u_first >= f.u_last) return;
-  const wu_range columns = wu_visible(f, w);
+  const step_range columns = wu_visible(f, w);
   if (columns.first >= columns.last) return;
   const auto put = [&](std::int64_t column, std::int64_t row, int coverage) {
     const cell c = f.at(column, row);
@@ -153,8 +141,7 @@ constexpr void wu_walk(const wu_frame& f, const cell_window& w, Sink& sink) {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

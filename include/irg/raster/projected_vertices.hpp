@@ -15,7 +15,22 @@
 #include <irg/raster/screen_mapping.hpp>
 #include <irg/raster/subpixel.hpp>
 
-namespace irg::inline IRG_ABI {
+namespace irg {
+
+/// Vertices on their way to the screen. Arrays parallel to the positions; kept from picture to picture, they spare the
+/// next one the allocation.
+template <Floating T>
+struct projected_vertices {
+  std::span<const point<T, 3>> positions;  // where they come from; must outlive this
+  mat<T, 4, 4> to_clip{};
+  std::vector<screen_vertex> screen;  // valid where `cut` is none
+  std::vector<clip_code_pair> codes;  // the planes that each vertex is beyond
+  clip_code_pair any;  // the planes that some vertex is beyond
+  std::vector<point<T, 3>>
+      converted{};  // what `positions` shows where they were of another type, in copies too: move it
+};
+
+inline namespace IRG_ABI {
 
 static_assert(sizeof(screen_vertex) == 16);  // x, y, depth, 1/w
 
@@ -38,25 +53,6 @@ template <int N>
 IRG_INLINE void store_vertices(screen_vertex* to, const vertex_lanes<N>& v) noexcept {
   store_quadruples<N>(to, {bits_as<float>(v.x), bits_as<float>(v.y), v.depth, v.inverse_w});
 }
-
-}  // namespace irg::inline IRG_ABI
-
-namespace irg {
-
-/// Vertices on their way to the screen. Arrays parallel to the positions; kept from picture to picture, they spare the
-/// next one the allocation.
-template <Floating T>
-struct projected_vertices {
-  std::span<const point<T, 3>> positions;  // where they come from; must outlive this
-  mat<T, 4, 4> to_clip{};
-  std::vector<screen_vertex> screen;  // valid where `cut` is none
-  std::vector<clip_code_pair> codes;  // the planes that each vertex is beyond
-  clip_code_pair any;  // the planes that some vertex is beyond
-  std::vector<point<T, 3>>
-      converted{};  // what `positions` shows where they were of another type, in copies too: move it
-};
-
-inline namespace IRG_ABI {
 
 /// Vertex i in clip space.
 template <Floating T>
@@ -92,15 +88,6 @@ constexpr void project_vertices(projected_vertices<T>& out, const A& positions, 
 }
 
 /// All positions, projected.
-template <Floating T, Executor E = sequential>
-[[nodiscard]] constexpr projected_vertices<T> project_vertices(std::span<const point<T, 3>> positions,
-                                                               const mat<T, 4, 4>& to_clip,
-                                                               const screen_mapping<T>& mapping,
-                                                               const E& executor = {}) {
-  projected_vertices<T> v;
-  project_vertices(v, positions, to_clip, mapping, executor);
-  return v;
-}
 template <Floating T, SpaceRing A, Executor E = sequential>
   requires Floating<ring_scalar<A>>
 [[nodiscard]] constexpr projected_vertices<T> project_vertices(const A& positions, const mat<T, 4, 4>& to_clip,

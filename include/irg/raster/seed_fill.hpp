@@ -49,9 +49,11 @@ constexpr std::int64_t seed_fill_spans(const cell_window& window, Inside&& insid
 /// gives   0, and nothing painted, when the seed is outside of the raster's window, or its pixel does not equal itself
 ///         (NaN). The same region and number whatever the paint, also one that leaves pixels as they are
 /// cost    as seed_fill_spans
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
+template <WritableRaster R, CellOrPosition P = cell, PaintFor<R> Paint = pixel_of<R>>
   requires std::equality_comparable<pixel_of<R>>
-constexpr std::int64_t flood_fill(R& raster, cell seed, const Paint& paint, neighbours next_to = neighbours::four) {
+constexpr std::int64_t flood_fill(R& raster, const P& place, const Paint& paint,
+                                  neighbours next_to = neighbours::four) {
+  const cell seed = as_cell(place);
   const cell_window w = window_of(raster);
   if (seed.x < w.x_first || seed.x >= w.x_last || seed.y < w.y_first || seed.y >= w.y_last) return 0;
   const pixel_of<R> value = get_pixel(raster, seed.x, seed.y);
@@ -60,34 +62,19 @@ constexpr std::int64_t flood_fill(R& raster, cell seed, const Paint& paint, neig
       [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
-/// The same around a position of another type.
-template <WritableRaster R, CellPosition P, PaintFor<R> Paint = pixel_of<R>>
-  requires std::equality_comparable<pixel_of<R>>
-constexpr std::int64_t flood_fill(R& raster, const P& seed, const Paint& paint, neighbours next_to = neighbours::four) {
-  return flood_fill(raster, as_cell(seed), paint, next_to);
-}
-
 /// Paints the region around the seed up to pixels of the boundary's value, whatever else it has. Returns the number of
 /// its cells.
 /// gives   0, and nothing painted, when the seed is outside of the raster's window, or on the boundary. Pixels that
 ///         have the paint's value already are no boundary
 /// cost    as seed_fill_spans
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-  requires std::equality_comparable<pixel_of<R>>
-constexpr std::int64_t boundary_fill(R& raster, cell seed, const pixel_of<R>& boundary, const Paint& paint,
-                                     neighbours next_to = neighbours::four) {
-  const pixel_of<R> edge = boundary;  // a copy: the argument may be one of the pixels that are painted
-  return seed_fill_spans(
-      window_of(raster), [&](const cell& c) { return !(get_pixel(raster, c.x, c.y) == edge); }, seed, next_to,
-      [&](const span_of_cells& s) { fill_span(raster, s, paint); });
-}
-
-/// The same around a position of another type.
-template <WritableRaster R, CellPosition P, PaintFor<R> Paint = pixel_of<R>>
+template <WritableRaster R, CellOrPosition P = cell, PaintFor<R> Paint = pixel_of<R>>
   requires std::equality_comparable<pixel_of<R>>
 constexpr std::int64_t boundary_fill(R& raster, const P& seed, const pixel_of<R>& boundary, const Paint& paint,
                                      neighbours next_to = neighbours::four) {
-  return boundary_fill(raster, as_cell(seed), boundary, paint, next_to);
+  const pixel_of<R> edge = boundary;  // a copy: the argument may be one of the pixels that are painted
+  return seed_fill_spans(
+      window_of(raster), [&](const cell& c) { return !(get_pixel(raster, c.x, c.y) == edge); }, as_cell(seed), next_to,
+      [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
 }  // namespace IRG_ABI

@@ -16,8 +16,7 @@
 #include <irg/raster/fill_polygon_aa.hpp>
 #include <irg/raster/line_style.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Hands the outline of a thick line through the points to sink(ring), ring by ring: the stroke is their union.
 /// shape   convex rings of std::span<const point<double, 2>>, all positive (counter-clockwise where y goes up), as
@@ -51,9 +50,9 @@ constexpr bool draw_stroke(R& raster, std::span<const point<double, 2>> points, 
   return fill_polygon_aa(raster, rings, fill_rule::non_zero, paint);
 }
 
-}  // namespace IRG_ABI
+}  // namespace irg::inline IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The convex pieces of a thick line: rectangles, joins and caps, all of positive orientation.
 
@@ -158,9 +157,9 @@ struct stroke_pieces {
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 template <class Sink>
   requires requires(Sink& sink, std::span<const point<double, 2>> ring) { sink(ring); }
@@ -176,5 +175,4 @@ constexpr bool stroke_outline(std::span<const point<double, 2>> points, const st
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

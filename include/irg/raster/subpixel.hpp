@@ -13,24 +13,6 @@
 
 namespace irg {
 
-struct subpixel;
-
-/// Points of ints that name a cell without being one: glm::ivec2, cv::Point, std::array<int, 2>, structs of x and y.
-template <class P>
-concept CellPosition = Point<P> && size_of<P> == 2 && std::same_as<scalar_of<P>, int> && !std::same_as<P, cell> &&
-                       !std::same_as<P, subpixel>;
-
-inline namespace IRG_ABI {
-
-/// The cell that a point of ints names.
-template <CellPosition P>
-[[nodiscard]] IRG_INLINE constexpr cell as_cell(const P& p) noexcept {
-  return {coordinate(p, 0), coordinate(p, 1)};
-}
-[[nodiscard]] IRG_INLINE constexpr cell as_cell(cell c) noexcept { return c; }
-
-}  // namespace IRG_ABI
-
 /// Bits behind the binary point of a snapped coordinate.
 inline constexpr int subpixel_bits = 8;
 /// One pixel in snapped units; pixel x spans [x * one_pixel, (x + 1) * one_pixel], its centre is half_pixel further.
@@ -45,7 +27,30 @@ struct subpixel {
   constexpr bool operator==(const subpixel&) const = default;
 };
 
+/// A vertex on the screen: where it was snapped to, its depth, and one over its weight (1 for an affine picture).
+struct screen_vertex {
+  subpixel position;
+  float depth = 0.0f;
+  float inverse_w = 1.0f;
+};
+
+/// Points of ints that name a cell without being one: glm::ivec2, cv::Point, std::array<int, 2>, structs of x and y.
+template <class P>
+concept CellPosition = Point<P> && size_of<P> == 2 && std::same_as<scalar_of<P>, int> && !std::same_as<P, cell> &&
+                       !std::same_as<P, subpixel>;
+
+/// A cell, or what names one.
+template <class P>
+concept CellOrPosition = std::same_as<P, cell> || CellPosition<P>;
+
 inline namespace IRG_ABI {
+
+/// The cell that a point of ints names.
+template <CellPosition P>
+[[nodiscard]] IRG_INLINE constexpr cell as_cell(const P& p) noexcept {
+  return {coordinate(p, 0), coordinate(p, 1)};
+}
+[[nodiscard]] IRG_INLINE constexpr cell as_cell(cell c) noexcept { return c; }
 
 /// Whether v, in pixels, can be snapped: |v| <= snap_limit. False for NaN.
 template <Floating T>
@@ -73,12 +78,10 @@ template <Floating T>
   constexpr std::int32_t limit = snap_limit * one_pixel;
   return p.x >= -limit && p.x <= limit && p.y >= -limit && p.y <= limit;
 }
-[[nodiscard]] IRG_INLINE constexpr bool can_snap(const cell& c) noexcept {
-  return c.x >= -snap_limit && c.x < snap_limit && c.y >= -snap_limit && c.y < snap_limit;
-}
-template <CellPosition P>
+template <CellOrPosition P>
 [[nodiscard]] IRG_INLINE constexpr bool can_snap(const P& p) noexcept {
-  return can_snap(as_cell(p));
+  const cell c = as_cell(p);
+  return c.x >= -snap_limit && c.x < snap_limit && c.y >= -snap_limit && c.y < snap_limit;
 }
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
@@ -89,12 +92,10 @@ template <Point P>
 /// The snapped position of a point given in pixels; of a cell its centre; a snapped position as it is.
 /// needs   can_snap(p)
 [[nodiscard]] IRG_INLINE constexpr subpixel snap(const subpixel& p) noexcept { return p; }
-[[nodiscard]] IRG_INLINE constexpr subpixel snap(const cell& c) noexcept {
-  return {c.x * one_pixel + half_pixel, c.y * one_pixel + half_pixel};
-}
-template <CellPosition P>
+template <CellOrPosition P>
 [[nodiscard]] IRG_INLINE constexpr subpixel snap(const P& p) noexcept {
-  return snap(as_cell(p));
+  const cell c = as_cell(p);
+  return {c.x * one_pixel + half_pixel, c.y * one_pixel + half_pixel};
 }
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
@@ -110,13 +111,6 @@ template <class P>
 concept ScreenPosition = requires(const P& p) {
   { can_snap(p) } -> std::same_as<bool>;
   { snap(p) } -> std::same_as<subpixel>;
-};
-
-/// A vertex on the screen: where it was snapped to, its depth, and one over its weight (1 for an affine picture).
-struct screen_vertex {
-  subpixel position;
-  float depth = 0.0f;
-  float inverse_w = 1.0f;
 };
 
 }  // namespace irg

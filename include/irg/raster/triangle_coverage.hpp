@@ -164,11 +164,6 @@ constexpr void covered_spans(const triangle_coverage& t, const cell_window& wind
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
-
-namespace irg::inline IRG_ABI {
-
 /// Whether the triangle covers all pixels of a window, none, or possibly some.
 /// shape   any window of ints, that of the whole range included
 /// gives   inside exactly if every pixel of the window is covered; outside if the rectangle of the window's pixel
@@ -195,4 +190,5 @@ namespace irg::inline IRG_ABI {
   return inside ? containment::inside : containment::crossing;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -101,9 +101,7 @@ template <Floating T>
 /// needs   a camera in its domain, aspect > 0; where this is broken and not caught, the identity comes out
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
-  const auto p = view_projection_checked(c, aspect);
-  IRG_EXPECTS(p.is_ordinary());
-  return p.value;
+  return view_projection_checked(c, aspect).expected();
 }
 
 /// Where the viewer is, as shading needs to know it: the eye. In parallel projection the viewer is infinitely far away;

@@ -14,9 +14,7 @@
 #include <irg/shade/light.hpp>
 #include <irg/shade/material.hpp>
 
-namespace irg {
-
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The integer that x is, or -1 when it is none of 0 to 1024.
 template <Scalar T>
@@ -33,9 +31,9 @@ constexpr int small_integer(T x) noexcept {
   }
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// x to the power n by repeated squaring, from the lowest bit of n up.
 /// needs   n >= 0
@@ -171,5 +169,4 @@ template <Floating T, class L>
   return phong_model(surface, light, eye, place, [](std::size_t, const L& emitted) { return emitted; });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -156,13 +156,10 @@ rgb<pack<float, N>> sample_texture(const image_view<const rgba8>& texture, const
     const auto stride = lanes<integers>::broadcast(static_cast<std::int32_t>(step));
     return decode_lanes(gather<std::int32_t>(texture.row(0), row * stride + column));
   };
-  const auto between = [](const rgb<floats>& a, const rgb<floats>& b, const floats& t) -> rgb<floats> {
-    return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t};
-  };
   const auto across = [&](const integers& row) {
-    return between(light_at(row, x.first), light_at(row, x.second), x.fraction);
+    return detail::between_texels(light_at(row, x.first), light_at(row, x.second), x.fraction);
   };
-  return between(across(y.first), across(y.second), y.fraction);
+  return detail::between_texels(across(y.first), across(y.second), y.fraction);
 }
 
 template <int N>

@@ -97,7 +97,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 template <class T>
 struct pending_ray {
@@ -105,8 +105,6 @@ struct pending_ray {
   rgb<T> throughput{};
   int bounces = 0;
 };
-
-inline namespace IRG_ABI {
 
 // The rays that a point sends on, into push(ray, throughput).
 template <class T, class Push>
@@ -155,8 +153,7 @@ constexpr rgb<T> light_of_pending(const ray_world<T>& world, pending_ray<T> (&pe
 
 inline constexpr int most_bounces = 32;
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -76,9 +76,7 @@ template <Real T>
 /// needs   a positive, finite distance; where this is broken and not caught, the identity comes out
 template <Real T>
 [[nodiscard]] constexpr mat<T, 4, 4> central_projection(const T& distance, projection_origin origin) noexcept {
-  const auto p = central_projection_checked(distance, origin);
-  IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.value;
+  return central_projection_checked(distance, origin).expected();
 }
 
 }  // namespace IRG_ABI

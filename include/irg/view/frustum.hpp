@@ -112,11 +112,6 @@ template <Floating T>
 
 namespace detail::inline IRG_ABI {
 
-template <class T>
-IRG_INLINE constexpr T coefficient_of(const plane<T>& p, int i) noexcept {
-  return i == 0 ? p.a : i == 1 ? p.b : i == 2 ? p.c : p.d;
-}
-
 // The plane with its normal at length 1, and its weights on the same scale.
 template <class T>
 constexpr void normalise_frustum_plane(plane<T>& p, plane<T>& weight) noexcept {
@@ -148,9 +143,9 @@ constexpr T frustum_margin(const plane<T>& weight, const point<T, 3>& size) noex
 template <class T>
 constexpr hpoint<T, 3> common_position(const plane<T>& p, const plane<T>& q, const plane<T>& r) noexcept {
   const auto det = [&](int i, int j, int k) {
-    const mat<T, 3, 3> m{{{coefficient_of(p, i), coefficient_of(p, j), coefficient_of(p, k)},
-                          {coefficient_of(q, i), coefficient_of(q, j), coefficient_of(q, k)},
-                          {coefficient_of(r, i), coefficient_of(r, j), coefficient_of(r, k)}}};
+    const mat<T, 3, 3> m{{{plane_coefficient(p, i), plane_coefficient(p, j), plane_coefficient(p, k)},
+                          {plane_coefficient(q, i), plane_coefficient(q, j), plane_coefficient(q, k)},
+                          {plane_coefficient(r, i), plane_coefficient(r, j), plane_coefficient(r, k)}}};
     return determinant(m);
   };
   return {det(1, 2, 3), T(0) - det(0, 2, 3), det(0, 1, 3), T(0) - det(0, 1, 2)};

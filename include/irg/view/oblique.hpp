@@ -85,9 +85,7 @@ template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> oblique(const oblique_depth<T>& how, const view_window<T>& window,
                                              std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                              depth_range depth = depth_range::reversed) noexcept {
-  const auto p = oblique_checked(how, window, z_near, z_far, depth);
-  IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.value;
+  return oblique_checked(how, window, z_near, z_far, depth).expected();
 }
 
 /// The unit vector in camera space from any point towards the viewer, along the rays of an oblique projection.

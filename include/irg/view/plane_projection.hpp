@@ -59,12 +59,6 @@ constexpr auto plane_projector_of(const T (&eye)[4], const T (&plane)[4]) noexce
   }
 }
 
-template <class T>
-constexpr checked<mat<T, 4, 4>, plane_projection_status> refused_plane_projection(
-    plane_projection_status why) noexcept {
-  return {identity<T, 4>(), why};
-}
-
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
@@ -93,17 +87,15 @@ projection_onto_plane_checked(const P& onto, const hpoint<typename plane_traits<
   const T from[4] = {eye.x, eye.y, eye.z, eye.w};
   if constexpr (Floating<T>)
     for (int k = 0; k < 4; ++k)
-      if (!is_finite(plane[k]) || !is_finite(from[k])) return detail::refused_plane_projection<T>(not_finite);
+      if (!is_finite(plane[k]) || !is_finite(from[k])) return detail::refused<T>(not_finite);
   const T zero = T(0);
-  if (plane[0] == zero && plane[1] == zero && plane[2] == zero) return detail::refused_plane_projection<T>(no_plane);
-  if (from[0] == zero && from[1] == zero && from[2] == zero && from[3] == zero)
-    return detail::refused_plane_projection<T>(no_eye);
+  if (plane[0] == zero && plane[1] == zero && plane[2] == zero) return detail::refused<T>(no_plane);
+  if (from[0] == zero && from[1] == zero && from[2] == zero && from[3] == zero) return detail::refused<T>(no_eye);
 
   const auto projector = detail::plane_projector_of<T>(from, plane);
   const auto height = projector.height_without(4);
   using wide = std::remove_cv_t<decltype(height)>;
-  if (height == wide(0))
-    return detail::refused_plane_projection<T>(from[3] == zero ? direction_parallel : eye_in_plane);
+  if (height == wide(0)) return detail::refused<T>(from[3] == zero ? direction_parallel : eye_in_plane);
   checked<mat<T, 4, 4>, plane_projection_status> result{};
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c) {
@@ -111,7 +103,7 @@ projection_onto_plane_checked(const P& onto, const hpoint<typename plane_traits<
       if constexpr (Floating<T>) {
         const double entry = detail::quotient(n, height);
         if (!(magnitude(entry) <= static_cast<double>((std::numeric_limits<T>::max)())))
-          return detail::refused_plane_projection<T>(not_representable);
+          return detail::refused<T>(not_representable);
         result.value(r, c) = converted<T>(entry);
       } else {
         result.value(r, c) = n / height;

@@ -33,21 +33,10 @@ enum class [[nodiscard]] projection_status {
   not_representable  // an entry of the matrix would overflow
 };
 
-inline namespace IRG_ABI {
-
-/// The matrix as a projection, or the identity and not_representable where an entry is NaN or infinite.
-template <Floating T>
-[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> checked_projection(const mat<T, 4, 4>& m) noexcept {
-  if (!is_finite(m)) return {identity<T, 4>(), projection_status::not_representable};
-  return {m, projection_status::ordinary};
-}
-
-}  // namespace IRG_ABI
-
 namespace detail::inline IRG_ABI {
 
-template <class T>
-constexpr checked<mat<T, 4, 4>, projection_status> refused(projection_status why) noexcept {
+template <class T, class S>
+constexpr checked<mat<T, 4, 4>, S> refused(S why) noexcept {
   return {identity<T, 4>(), why};
 }
 
@@ -95,6 +84,13 @@ constexpr perspective_depth<T> depth_of_perspective(T z_near, T z_far, depth_ran
 
 inline namespace IRG_ABI {
 
+/// The matrix as a projection, or the identity and not_representable where an entry is NaN or infinite.
+template <Floating T>
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> checked_projection(const mat<T, 4, 4>& m) noexcept {
+  if (!is_finite(m)) return {identity<T, 4>(), projection_status::not_representable};
+  return {m, projection_status::ordinary};
+}
+
 /// The central projection with a vertical angle of view, or why there is none.
 /// shape   camera space to clip space with w = -z: the distance in front of the eye
 /// units   vertical_angle in radians between the lower and the upper border; aspect is width over height; z_near and
@@ -124,9 +120,7 @@ template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> aspect,
                                                  std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                                  depth_range depth = depth_range::reversed) noexcept {
-  const auto p = perspective_checked(vertical_angle, aspect, z_near, z_far, depth);
-  IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.value;
+  return perspective_checked(vertical_angle, aspect, z_near, z_far, depth).expected();
 }
 
 /// The central projection whose picture is a window of the plane `distance` in front of the eye, or why there is none.
@@ -162,9 +156,7 @@ template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> perspective(const view_window<T>& window, std::type_identity_t<T> distance,
                                                  std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                                  depth_range depth = depth_range::reversed) noexcept {
-  const auto p = perspective_checked(window, distance, z_near, z_far, depth);
-  IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.value;
+  return perspective_checked(window, distance, z_near, z_far, depth).expected();
 }
 
 /// The parallel projection of a box, or why there is none.
@@ -198,9 +190,7 @@ template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> orthographic(const view_window<T>& window, std::type_identity_t<T> z_near,
                                                   std::type_identity_t<T> z_far,
                                                   depth_range depth = depth_range::reversed) noexcept {
-  const auto p = orthographic_checked(window, z_near, z_far, depth);
-  IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.value;
+  return orthographic_checked(window, z_near, z_far, depth).expected();
 }
 
 }  // namespace IRG_ABI

@@ -20,46 +20,6 @@ struct view_pyramid {
   bool operator==(const view_pyramid&) const = default;
 };
 
-inline namespace IRG_ABI {
-
-/// The central projection whose view volume is the pyramid, or why there is none; see perspective_checked for windows.
-/// gives   also bad_window for a width or height that is not positive
-template <Floating T>
-[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
-    const view_pyramid<T>& p, depth_range depth = depth_range::reversed) noexcept {
-  if (!(T(0) < p.width && T(0) < p.height)) return detail::refused<T>(projection_status::bad_window);
-  return perspective_checked(centred_window(p.width, p.height), p.distance, p.near_distance, p.far_distance, depth);
-}
-
-/// The central projection whose view volume is the pyramid.
-/// needs   a pyramid in its domain; far_distance may be infinity. Where this is broken and not caught, the identity
-///         comes out
-template <Floating T>
-[[nodiscard]] constexpr mat<T, 4, 4> perspective(const view_pyramid<T>& p,
-                                                 depth_range depth = depth_range::reversed) noexcept {
-  const auto result = perspective_checked(p, depth);
-  IRG_EXPECTS(result.status == projection_status::ordinary);
-  return result.value;
-}
-
-/// The angle between the lower and the upper border of the screen, which `perspective` takes by angle.
-/// units   radians
-template <Floating T>
-[[nodiscard]] constexpr T vertical_angle_of(const view_pyramid<T>& p) noexcept {
-  return T(2) * atan2(p.height / T(2), p.distance);
-}
-
-/// The distance from which a screen of that height spans that angle: how a picture given by its angle is given by its
-/// distance.
-/// units   radians
-/// needs   0 < vertical_angle < pi
-template <Floating T>
-[[nodiscard]] constexpr T distance_for_angle(T vertical_angle, std::type_identity_t<T> height) noexcept {
-  return (height / T(2)) / tan(vertical_angle / T(2));
-}
-
-}  // namespace IRG_ABI
-
 /// The corners of a view pyramid.
 template <Scalar T>
 using pyramid_corner_points = volume_corners<point<T, 3>>;
@@ -82,6 +42,40 @@ constexpr pyramid_corner_points<T> corners_by_factors(const view_pyramid<T>& p, 
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
+
+/// The central projection whose view volume is the pyramid, or why there is none; see perspective_checked for windows.
+/// gives   also bad_window for a width or height that is not positive
+template <Floating T>
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
+    const view_pyramid<T>& p, depth_range depth = depth_range::reversed) noexcept {
+  if (!(T(0) < p.width && T(0) < p.height)) return detail::refused<T>(projection_status::bad_window);
+  return perspective_checked(centred_window(p.width, p.height), p.distance, p.near_distance, p.far_distance, depth);
+}
+
+/// The central projection whose view volume is the pyramid.
+/// needs   a pyramid in its domain; far_distance may be infinity. Where this is broken and not caught, the identity
+///         comes out
+template <Floating T>
+[[nodiscard]] constexpr mat<T, 4, 4> perspective(const view_pyramid<T>& p,
+                                                 depth_range depth = depth_range::reversed) noexcept {
+  return perspective_checked(p, depth).expected();
+}
+
+/// The angle between the lower and the upper border of the screen, which `perspective` takes by angle.
+/// units   radians
+template <Floating T>
+[[nodiscard]] constexpr T vertical_angle_of(const view_pyramid<T>& p) noexcept {
+  return T(2) * atan2(p.height / T(2), p.distance);
+}
+
+/// The distance from which a screen of that height spans that angle: how a picture given by its angle is given by its
+/// distance.
+/// units   radians
+/// needs   0 < vertical_angle < pi
+template <Floating T>
+[[nodiscard]] constexpr T distance_for_angle(T vertical_angle, std::type_identity_t<T> height) noexcept {
+  return (height / T(2)) / tan(vertical_angle / T(2));
+}
 
 /// The corners of the pyramid in camera space: those of the screen times n/d and h/d.
 /// exact   in rationals; in floats each coordinate is rounded twice

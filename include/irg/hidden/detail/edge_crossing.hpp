@@ -11,17 +11,13 @@
 #include <irg/math/float_bits.hpp>
 #include <irg/raster/face_order.hpp>
 
-namespace irg::detail {
+namespace irg::detail::inline IRG_ABI {
 
 // A face that hides what is behind it: clockwise on the screen (y down), depths such that the greater is the nearer.
-struct IRG_APART hiding_face {
+struct hiding_face {
   subpixel p[3];
   float depth[3];
-  friend constexpr bool operator==(const hiding_face& a, const hiding_face& b) noexcept {
-    for (int i = 0; i < 3; ++i)
-      if (!(a.p[i] == b.p[i] && a.depth[i] == b.depth[i])) return false;
-    return true;
-  }
+  friend constexpr bool operator==(const hiding_face&, const hiding_face&) = default;
 };
 
 // An edge, its depths likewise.
@@ -49,8 +45,6 @@ template <int N>
 struct place_ratio {
   wide_int<N> numerator, denominator;
 };
-
-inline namespace IRG_ABI {
 
 // The edge function of side i of a face: positive inside. At most 2^60 in size.
 template <class Face>
@@ -237,5 +231,4 @@ constexpr double place_of(const edge_crossing& c, const Edge& e) noexcept {
   });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -35,7 +35,7 @@ struct depth_sorted_polygon {
 
 }  // namespace textbook
 
-namespace detail {
+namespace detail::inline IRG_ABI {
 
 // A part of a polygon, and the planes that cut it before, by their polygons' numbers.
 template <Floating T>
@@ -51,8 +51,6 @@ struct depth_sorted_part {
   std::vector<std::uint32_t> let_pass{};  // those of them that it does not hide but for roundings
   bool moved = false;
 };
-
-inline namespace IRG_ABI {
 
 // What of a polygon lies on one side of a plane that cuts it; both sides get the same new points.
 template <Floating T>
@@ -207,8 +205,7 @@ private:
   std::uint32_t made_ = 0;
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 namespace textbook::inline IRG_ABI {
 

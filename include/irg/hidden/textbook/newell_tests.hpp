@@ -11,7 +11,7 @@
 #include <irg/geometry/polygons_overlap.hpp>
 #include <irg/hidden/vocabulary.hpp>
 
-namespace irg::detail {
+namespace irg::detail::inline IRG_ABI {
 
 // Three corners of a polygon's plane; up is 1 where they run counter-clockwise for the viewer, -1 where clockwise,
 // and 0 for a polygon that is seen edge on, of whose plane neither side is the viewer's.
@@ -20,8 +20,6 @@ struct visible_plane {
   point<T, 3> p{}, q{}, r{};
   int up = 0;
 };
-
-inline namespace IRG_ABI {
 
 template <SpaceRing R>
 constexpr std::vector<point<ring_scalar<R>, 2>> without_depth(const R& ring) {
@@ -57,8 +55,7 @@ constexpr bool has_corner_on(const R& ring, const visible_plane<ring_scalar<R>>&
   return false;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
 namespace irg::textbook::inline IRG_ABI {
 

@@ -12,7 +12,7 @@
 #include <irg/math/trigonometry.hpp>
 #include <irg/mesh/mesh.hpp>
 
-namespace irg::detail {
+namespace irg::detail::inline IRG_ABI {
 
 /// What stands at an end of a stack of rings.
 enum class ring_end {
@@ -27,8 +27,6 @@ struct surface_vertex {
   point<T, 3> position;
   vec<T, 3> normal;
 };
-
-inline namespace IRG_ABI {
 
 /// The cosine (x) and sine (y) of k/n of a full turn.
 /// needs   0 <= k < n <= 2^28
@@ -85,9 +83,4 @@ constexpr void add_rings(mesh<T>& m, int around, int rows, ring_end first, ring_
     }
 }
 
-IRG_INLINE constexpr int clamped(int n, int least, int most) noexcept {
-  return n < least ? least : n > most ? most : n;
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -19,16 +19,12 @@ struct conic_arc {
   }
   // The k and the m that a window sees. On the axes an arc and its mirror image have the same cells: those belong to
   // the arc with the positive sign.
-  constexpr step_range along(const cell_window& w) const noexcept {
-    step_range r = upright ? steps_within(centre.y, sign_along, w.y_first, w.y_last)
-                           : steps_within(centre.x, sign_along, w.x_first, w.x_last);
-    if (sign_along < 0) r.first = greater(r.first, std::int64_t{1});
-    return r;
-  }
-  constexpr step_range aside(const cell_window& w) const noexcept {
-    step_range r = upright ? steps_within(centre.x, sign_aside, w.x_first, w.x_last)
-                           : steps_within(centre.y, sign_aside, w.y_first, w.y_last);
-    if (sign_aside < 0) r.first = greater(r.first, std::int64_t{1});
+  constexpr step_range along(const cell_window& w) const noexcept { return steps(upright, sign_along, w); }
+  constexpr step_range aside(const cell_window& w) const noexcept { return steps(!upright, sign_aside, w); }
+  constexpr step_range steps(bool down, int sign, const cell_window& w) const noexcept {
+    step_range r =
+        down ? steps_within(centre.y, sign, w.y_first, w.y_last) : steps_within(centre.x, sign, w.x_first, w.x_last);
+    if (sign < 0) r.first = greater(r.first, std::int64_t{1});
     return r;
   }
 };

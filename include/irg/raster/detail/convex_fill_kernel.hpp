@@ -13,7 +13,7 @@
 #include <irg/raster/paint.hpp>
 #include <irg/raster/window.hpp>
 
-namespace irg::detail {
+namespace irg::detail::inline IRG_ABI {
 
 inline constexpr int fixed_edge_bits = 35;
 inline constexpr std::int32_t fixed_edge_reach = 1 << 24;  // of coordinates, in 1/256 pixel
@@ -61,8 +61,6 @@ struct ring_side {
   Edge edge{};
   int row_last = 0;  // the edge ends before this row
 };
-
-inline namespace IRG_ABI {
 
 // Leads a side on to its first edge that reaches below row y: such an edge crosses row y, for every vertex passed on
 // the way is above the row's centre. A ring whose lowest row is below y has one, be it convex or not.
@@ -252,5 +250,4 @@ IRG_INLINE constexpr bool walk_ring(const R& ring, const cell_window& window, Em
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -61,6 +61,11 @@ constexpr bresenham_frame frame_of(cell a, cell b, line_ties ties = line_ties::s
                : bresenham_frame{width, height, sx, sy, false, a, tie};
 }
 
+// The places [first, last) as they are seen from the other side of 0, place c being -1 - c there; or as they are.
+constexpr step_range turned(std::int64_t first, std::int64_t last, bool mirrored) noexcept {
+  return mirrored ? step_range{-last, -first} : step_range{first, last};
+}
+
 // The steps t >= 0 for which start + sign * t lies in [low, high).
 constexpr step_range steps_within(std::int64_t start, int sign, std::int64_t low, std::int64_t high) noexcept {
   return sign > 0 ? step_range{greater(low - start, std::int64_t{0}), high - start}

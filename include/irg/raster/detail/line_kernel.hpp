@@ -20,7 +20,7 @@
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
 
-namespace irg::detail {
+namespace irg::detail::inline IRG_ABI {
 
 // Which way a line runs. The masks have all bits set when their name is true, else none.
 struct line_octant {
@@ -46,8 +46,6 @@ struct line_walk {
 };
 
 inline constexpr std::int64_t longest_walk_in_32_bits = 46340;  // 2n * (n + 1) <= 2^32
-
-inline namespace IRG_ABI {
 
 // Lines steeper than 45 degrees touch a new row, that is a new cache line, at every step. In a raster larger than the
 // caches near the core it pays to ask for those some steps ahead.
@@ -253,5 +251,4 @@ IRG_NOINLINE constexpr void draw_level_line(R& raster, cell a, cell b, const cel
     fill_pixels(raster_traits<R>::row(raster, a.y) + first, static_cast<std::size_t>(last - first), value);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

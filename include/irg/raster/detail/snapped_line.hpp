@@ -7,7 +7,7 @@
 #include <irg/geometry/clip_line_liang_barsky.hpp>
 #include <irg/raster/subpixel.hpp>
 
-namespace irg::detail {
+namespace irg::detail::inline IRG_ABI {
 
 // The line from a to b within snap_limit, snapped; `finite` tells whether its ends are numbers, `in_reach` whether a
 // part of it is within.
@@ -16,16 +16,13 @@ struct snapped_line {
   subpixel from{}, to{};
 };
 
-inline namespace IRG_ABI {
-
 // A position in pixels.
-IRG_INLINE constexpr point<double, 2> in_pixels(const cell& c) noexcept { return {c.x + 0.5, c.y + 0.5}; }
 IRG_INLINE constexpr point<double, 2> in_pixels(const subpixel& p) noexcept {
   return {p.x * (1.0 / one_pixel), p.y * (1.0 / one_pixel)};
 }
-template <CellPosition P>
+template <CellOrPosition P>
 IRG_INLINE constexpr point<double, 2> in_pixels(const P& p) noexcept {
-  return in_pixels(as_cell(p));
+  return {as_cell(p).x + 0.5, as_cell(p).y + 0.5};
 }
 template <Point P>
 IRG_INLINE constexpr point<double, 2> in_pixels(const P& p) noexcept {
@@ -45,5 +42,4 @@ constexpr snapped_line snap_line(const P& a, const P& b) noexcept {
   return {true, true, snap(part->first), snap(part->second)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
