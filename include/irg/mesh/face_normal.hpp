@@ -14,12 +14,9 @@
 #include <irg/mesh/mesh.hpp>
 
 namespace irg {
-namespace detail {
-
+/// What the normals of a mesh's faces and vertices are.
 template <SpaceMesh M>
 using mesh_normal = vec<scalar_of<typename mesh_traits<M>::point>, 3>;
-
-}  // namespace detail
 
 inline namespace IRG_ABI {
 
@@ -40,7 +37,7 @@ template <PolygonRing R>
 ///         underflow for finite positions of any size
 /// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
 template <SpaceMesh M>
-[[nodiscard]] constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept;
+[[nodiscard]] constexpr std::optional<mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept;
 
 }  // namespace IRG_ABI
 
@@ -116,8 +113,8 @@ template <PolygonRing R>
 }
 
 template <SpaceMesh M>
-[[nodiscard]] constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
-  using V = detail::mesh_normal<M>;
+[[nodiscard]] constexpr std::optional<mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
+  using V = mesh_normal<M>;
   const auto unit = try_normalize(detail::newell_sum(detail::edges_of_face(m, f)));
   if (!unit) return std::nullopt;
   return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>((*unit)[i]); });
