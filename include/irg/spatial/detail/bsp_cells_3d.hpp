@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How a BSP tree in space grows, and how a cell is divided: by which plane, and which pieces lie where. While the tree grows a piece
-// that was cut also has its corners, rounded, with bounds of what they are off by and with the planes that meet in
-// each: these decide where the bound leaves it open.
+// How a BSP tree in space grows, and how a cell is divided: by which plane, and which pieces lie where. While the tree
+// grows a piece that was cut also has its corners, rounded, with bounds of what they are off by and with the planes
+// that meet in each: these decide where the bound leaves it open.
 #pragma once
 
 #include <algorithm>

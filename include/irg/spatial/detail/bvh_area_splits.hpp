@@ -370,7 +370,8 @@ constexpr void fill_slices(const area_splits<Cut>& splits, slice_row& row, const
   }
 }
 
-// As partition_range; what lies on both sides of the plane comes to both in part. Gives whether there is something on each.
+// As partition_range; what lies on both sides of the plane comes to both in part. Gives whether there is something on
+// each.
 template <class Cut>
 constexpr bool cut_range(area_splits<Cut>& splits, area_range& r, area_range& second, const bvh_slices& s,
                          const split_choice& best) noexcept {
