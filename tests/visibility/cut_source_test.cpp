@@ -96,9 +96,9 @@ TEST_CASE("cut_source_rounded: nothing crosses any more, on grids and off them")
     const irg::box<double, 2> window{{-5, -5}, {5, 5}};
     if (i % 10 != 0) {
       irg::detail::source_view<double> view;
-      view.add_source(cut.ring);
+      irg::detail::add_source(view, cut.ring);
       view.obstacles = cut.obstacles;
-      wrong += view.crosses_obstacle();
+      wrong += irg::detail::crosses_obstacle(view);
       continue;
     }
     const auto status = irg::weak_visibility(std::span<const place>(cut.ring), cut.obstacles, window).status;

@@ -124,7 +124,7 @@ TEST_CASE("space portals: sight lines find no cell that is missing, from cells a
     const plan p = tetrahedra(r, 2, i % 2 == 0 ? 4 : 6);
     wrong += irg::validate(p) != irg::space_plan_finding{};
     const auto sets = irg::potentially_visible(p);
-    const irg::detail::space_walk<double> walk(p);
+    const irg::detail::space_doors<double> doors_of = irg::detail::doors_of(p);
     for (int row = 0; row < static_cast<int>(p.cells.size()); ++row)
       for (int c = 0; c < row; ++c) wrong += sets.seen.is_full({c, row, 0}) != sets.seen.is_full({row, c, 0});
     for (int k = 0; k < 300; ++k) {
@@ -143,7 +143,7 @@ TEST_CASE("space portals: sight lines find no cell that is missing, from cells a
       std::uint32_t at = cell;
       for (bool on = true; on;) {
         on = false;
-        for (const auto& d : walk.doors(at)) {
+        for (const auto& d : doors_of[at]) {
           bool within = irg::orient3d(d.ring[0], d.ring[1], d.ring[2], from) > 0 &&
                         irg::orient3d(d.ring[0], d.ring[1], d.ring[2], to) < 0;
           for (std::size_t n = 0; n < 3; ++n)
@@ -179,12 +179,12 @@ place place_in(test::random& r, const std::vector<place>& ring) {
 }
 
 // The cells that a line passes one after another from a cell on, towards `to`.
-std::vector<std::uint32_t> passed_from(const irg::detail::space_walk<double>& walk, std::uint32_t cell,
+std::vector<std::uint32_t> passed_from(const irg::detail::space_doors<double>& doors_of, std::uint32_t cell,
                                        const place& from, const place& to) {
   std::vector<std::uint32_t> way(1, cell);
   for (bool on = true; on;) {
     on = false;
-    for (const auto& d : walk.doors(way.back())) {
+    for (const auto& d : doors_of[way.back()]) {
       bool within = true;
       for (std::size_t n = 0; n < d.ring.size() && within; ++n)
         within = irg::orient3d(from, d.ring[(n + 1) % d.ring.size()], d.ring[n], to) > 0;
@@ -200,7 +200,7 @@ std::vector<std::uint32_t> passed_from(const irg::detail::space_walk<double>& wa
 // Lines through a place of a portal and a place of another one that a few doors lead to: how many pairs of cells such
 // lines show, and how many of these the sets lack.
 std::array<std::int64_t, 2> found_by_lines(test::random& r, const plan& p, const irg::visible_sets& sets, int lines) {
-  const irg::detail::space_walk<double> walk(p);
+  const irg::detail::space_doors<double> doors_of = irg::detail::doors_of(p);
   irg::cell_grid found(sets.seen.extent());
   std::int64_t missing = 0;
   for (int c = 0; c < found.extent().width; ++c) found.set({c, c, 0});
@@ -209,7 +209,7 @@ std::array<std::int64_t, 2> found_by_lines(test::random& r, const plan& p, const
     std::uint32_t cell = a.second;
     const std::vector<place>* last = nullptr;
     for (auto left = r.integer(1, 4); left > 0; --left) {
-      const auto& doors = walk.doors(cell);
+      const auto& doors = doors_of[cell];
       const auto& d = doors[static_cast<std::size_t>(r.integer(0, static_cast<std::int64_t>(doors.size()) - 1))];
       last = &d.ring;
       cell = d.to;
@@ -218,8 +218,8 @@ std::array<std::int64_t, 2> found_by_lines(test::random& r, const plan& p, const
     place ends[2];
     for (int n = 0; n < 3; ++n) ends[0][n] = u[n] + 1000 * (u[n] - v[n]), ends[1][n] = u[n] + 1000 * (v[n] - u[n]);
     if (irg::orient3d(a.ring[0], a.ring[1], a.ring[2], ends[0]) < 0) std::swap(ends[0], ends[1]);
-    std::vector<std::uint32_t> way = passed_from(walk, a.first, ends[1], ends[0]);
-    const auto beyond = passed_from(walk, a.second, ends[0], ends[1]);
+    std::vector<std::uint32_t> way = passed_from(doors_of, a.first, ends[1], ends[0]);
+    const auto beyond = passed_from(doors_of, a.second, ends[0], ends[1]);
     way.insert(way.end(), beyond.begin(), beyond.end());
     for (const std::uint32_t from : way)
       for (const std::uint32_t to : way) {

@@ -173,11 +173,13 @@ TEST_CASE("weak_visibility: skipping sight lines changes nothing, and the parts 
   for (int i = 0; i < 60 * times; ++i) {
     const scene s = random_scene(r, 3, 2);
     const auto few = parts_of(s);
-    irg::detail::source_regions_builder<double> builder(plan);
     const rings both{s.source, s.second};
     constexpr auto every = irg::detail::line_choice::all;
-    const auto all = s.second.empty() ? builder.run(std::span<const place>(s.source), s.walls, every)
-                                      : builder.run(std::span<const std::vector<place>>(both), s.walls, every);
+    const std::span<const irg::segment<double, 2>> walls(s.walls);
+    const auto all =
+        s.second.empty()
+            ? irg::detail::regions_of_source(plan, std::span<const place>(s.source), walls, every)
+            : irg::detail::regions_of_source(plan, std::span<const std::vector<place>>(both), walls, every);
     wrong += in_order(few.all) != in_order(all.all) || in_order(few.some) != in_order(all.some) ||
              in_order(few.none) != in_order(all.none) || all.skipped != 0;
     skipped += few.skipped;

@@ -25,10 +25,11 @@ struct curve_parameter {
   bool operator==(const curve_parameter&) const = default;
 };
 
-namespace detail {
-
+/// What the control points of a range are.
 template <class R>
 using control_point = typename ring_traits<R>::point;
+
+namespace detail {
 
 /// The number of elements of a range if its type fixes it, else 0.
 template <class R>
@@ -64,7 +65,7 @@ concept CartesianPoint = CurvePoint<P> && coordinate_traits<P>::kind != coordina
 
 /// A range of control points: std::array, std::vector or std::span of points, vectors or homogeneous points.
 template <class R>
-concept ControlPoints = requires { requires CurvePoint<detail::control_point<R>>; };
+concept ControlPoints = requires { requires CurvePoint<control_point<R>>; };
 
 /// Control points that are no vectors.
 template <class R>
@@ -76,7 +77,7 @@ concept FixedControlPoints = ControlPoints<R> && (detail::fixed_size<R>() > 0);
 
 /// The parameter type of a curve with control points R.
 template <ControlPoints R>
-using parameter_of = curve_parameter<scalar_of<detail::control_point<R>>>;
+using parameter_of = curve_parameter<scalar_of<control_point<R>>>;
 
 /// A point of a curve and the derivative there with respect to the parameter; of type vec when the points are point.
 template <Coordinates P>
@@ -148,8 +149,8 @@ inline namespace IRG_ABI {
 /// cost    degree*(degree + 1)/2 blends
 /// source  de Casteljau 1959; Mihajlovic 2016, 6.2
 template <ControlPoints R>
-constexpr detail::control_point<R> bezier_point(const R& points, parameter_of<R> t,
-                                                std::span<detail::control_point<R>> scratch) noexcept {
+constexpr control_point<R> bezier_point(const R& points, parameter_of<R> t,
+                                        std::span<control_point<R>> scratch) noexcept {
   const auto work = detail::copied(points, scratch);
   detail::reduce(work, 1, t);
   return work[0];
@@ -158,8 +159,8 @@ constexpr detail::control_point<R> bezier_point(const R& points, parameter_of<R>
 /// The point of the Bezier curve at t, for control points whose number is part of the type.
 /// exact   as the form with scratch
 template <FixedControlPoints R>
-[[nodiscard]] constexpr detail::control_point<R> bezier_point(const R& points, parameter_of<R> t) noexcept {
-  std::array<detail::control_point<R>, detail::fixed_size<R>()> scratch{};
+[[nodiscard]] constexpr control_point<R> bezier_point(const R& points, parameter_of<R> t) noexcept {
+  std::array<control_point<R>, detail::fixed_size<R>()> scratch{};
   return bezier_point(points, t, scratch);
 }
 
@@ -169,10 +170,10 @@ template <FixedControlPoints R>
 /// exact   the point is that of bezier_point bit for bit; the derivative is the degree times one difference
 /// source  de Casteljau 1959
 template <ControlPoints R>
-constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points, parameter_of<R> t,
-                                                               std::span<detail::control_point<R>> scratch) noexcept {
+constexpr curve_sample<control_point<R>> bezier_sample(const R& points, parameter_of<R> t,
+                                                       std::span<control_point<R>> scratch) noexcept {
   const auto work = detail::copied(points, scratch);
-  using vector = typename curve_sample<detail::control_point<R>>::vector;
+  using vector = typename curve_sample<control_point<R>>::vector;
   if (work.size() == 1) return {work[0], zero_coordinates<vector>()};
   detail::reduce(work, 2, t);
   return {detail::blend(work[0], work[1], t),
@@ -181,9 +182,8 @@ constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points, 
 
 /// The point and the derivative, for control points whose number is part of the type.
 template <FixedControlPoints R>
-[[nodiscard]] constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points,
-                                                                             parameter_of<R> t) noexcept {
-  std::array<detail::control_point<R>, detail::fixed_size<R>()> scratch{};
+[[nodiscard]] constexpr curve_sample<control_point<R>> bezier_sample(const R& points, parameter_of<R> t) noexcept {
+  std::array<control_point<R>, detail::fixed_size<R>()> scratch{};
   return bezier_sample(points, t, scratch);
 }
 
@@ -192,8 +192,8 @@ template <FixedControlPoints R>
 /// exact   the last point of left is the first of right, and bezier_point's, bit for bit; outer ends are exact
 /// source  de Casteljau 1959
 template <ControlPoints R>
-constexpr void bezier_split(const R& points, parameter_of<R> t, std::span<detail::control_point<R>> left,
-                            std::span<detail::control_point<R>> right) noexcept {
+constexpr void bezier_split(const R& points, parameter_of<R> t, std::span<control_point<R>> left,
+                            std::span<control_point<R>> right) noexcept {
   const auto work = detail::copied(points, right);
   IRG_EXPECTS(left.size() >= work.size());
   left[0] = work[0];
@@ -210,8 +210,8 @@ constexpr void bezier_split(const R& points, parameter_of<R> t, std::span<detail
 /// cost    degree blends and divisions
 /// source  Wozny and Chudy 2020
 template <ControlPoints R>
-[[nodiscard]] constexpr detail::control_point<R> bezier_point_wozny_chudy(const R& points, parameter_of<R> t) noexcept {
-  using T = scalar_of<detail::control_point<R>>;
+[[nodiscard]] constexpr control_point<R> bezier_point_wozny_chudy(const R& points, parameter_of<R> t) noexcept {
+  using T = scalar_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0);
   if (t.rest == T(0)) return ring_traits<R>::vertex(points, count - 1);

@@ -40,17 +40,16 @@ namespace irg::inline IRG_ABI {
 /// cost    n*(n + 1)/2 steps a coordinate, each some 5 times (without fused multiply-add 12 times) a blend
 /// source  Jiang, Li, Cheng and Su 2010; Hermes 2019
 template <ControlPoints R>
-  requires Floating<scalar_of<detail::control_point<R>>>
-constexpr detail::control_point<R> bezier_point_accurate(
-    const R& points, scalar_of<detail::control_point<R>> t,
-    std::span<exact_sum<scalar_of<detail::control_point<R>>>> scratch) noexcept {
-  using T = scalar_of<detail::control_point<R>>;
+  requires Floating<scalar_of<control_point<R>>>
+constexpr control_point<R> bezier_point_accurate(const R& points, scalar_of<control_point<R>> t,
+                                                 std::span<exact_sum<scalar_of<control_point<R>>>> scratch) noexcept {
+  using T = scalar_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && scratch.size() >= count);
   if (t == T(0)) return ring_traits<R>::vertex(points, 0);
   if (t == T(1)) return ring_traits<R>::vertex(points, count - 1);
   const detail::split_parameter<T> at{t, two_sum(T(1), -t)};
-  return generate_coordinates<detail::control_point<R>>([&](int axis) {
+  return generate_coordinates<control_point<R>>([&](int axis) {
     for (std::size_t k = 0; k < count; ++k) scratch[k] = {coordinate(ring_traits<R>::vertex(points, k), axis), T(0)};
     for (std::size_t n = count; n > 1; --n)
       for (std::size_t k = 0; k + 1 < n; ++k) scratch[k] = detail::compensated_blend(scratch[k], scratch[k + 1], at);
@@ -62,10 +61,10 @@ constexpr detail::control_point<R> bezier_point_accurate(
 /// of the type.
 /// exact   as the form with scratch
 template <FixedControlPoints R>
-  requires Floating<scalar_of<detail::control_point<R>>>
-[[nodiscard]] constexpr detail::control_point<R> bezier_point_accurate(const R& points,
-                                                                       scalar_of<detail::control_point<R>> t) noexcept {
-  std::array<exact_sum<scalar_of<detail::control_point<R>>>, detail::fixed_size<R>()> scratch{};
+  requires Floating<scalar_of<control_point<R>>>
+[[nodiscard]] constexpr control_point<R> bezier_point_accurate(const R& points,
+                                                               scalar_of<control_point<R>> t) noexcept {
+  std::array<exact_sum<scalar_of<control_point<R>>>, detail::fixed_size<R>()> scratch{};
   return bezier_point_accurate(points, t, scratch);
 }
 

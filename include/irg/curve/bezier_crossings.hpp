@@ -171,14 +171,11 @@ inline namespace IRG_ABI {
 /// cost    four bezier_split a step; some 10 steps for each halving and each meeting
 /// source  Lane and Riesenfeld 1980
 template <ControlPoints R, ControlPoints S>
-  requires(Floating<scalar_of<detail::control_point<R>>> &&
-           std::is_same_v<detail::control_point<R>, detail::control_point<S>>)
+  requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
 constexpr checked<std::size_t, meetings_found> bezier_meetings(
-    const R& first, const S& second,
-    const std::type_identity_t<meeting_search<scalar_of<detail::control_point<R>>>>& search,
-    std::span<curve_meeting<scalar_of<detail::control_point<R>>>> room,
-    std::span<detail::control_point<R>> scratch) noexcept {
-  using T = scalar_of<detail::control_point<R>>;
+    const R& first, const S& second, const std::type_identity_t<meeting_search<scalar_of<control_point<R>>>>& search,
+    std::span<curve_meeting<scalar_of<control_point<R>>>> room, std::span<control_point<R>> scratch) noexcept {
+  using T = scalar_of<control_point<R>>;
   constexpr int depth = lesser(std::numeric_limits<T>::digits, 30);
   const std::size_t n = ring_traits<R>::size(first), m = ring_traits<S>::size(second);
   IRG_EXPECTS(n > 0 && m > 0 && !room.empty() && scratch.size() >= 3 * (n + m) && search.tolerance >= 0);

@@ -17,10 +17,10 @@ namespace irg::inline IRG_ABI {
 /// source  Farin 2002, 5.3
 template <ControlPoints R>
 constexpr void bezier_derivative(const R& points,
-                                 std::span<typename curve_sample<detail::control_point<R>>::vector> vectors) noexcept {
+                                 std::span<typename curve_sample<control_point<R>>::vector> vectors) noexcept {
   const std::size_t n = ring_traits<R>::size(points) - 1;
   IRG_EXPECTS(ring_traits<R>::size(points) > 0 && vectors.size() >= (n > 0 ? n : 1));
-  if (n == 0) vectors[0] = zero_coordinates<typename curve_sample<detail::control_point<R>>::vector>();
+  if (n == 0) vectors[0] = zero_coordinates<typename curve_sample<control_point<R>>::vector>();
   for (std::size_t k = 0; k < n; ++k)
     vectors[k] = detail::scaled_difference(ring_traits<R>::vertex(points, k), ring_traits<R>::vertex(points, k + 1),
                                            static_cast<int>(n));
@@ -31,8 +31,8 @@ constexpr void bezier_derivative(const R& points,
 /// exact   ends bit for bit; each other point is one blend of two, within 3u of the larger
 /// source  Farin 2002, 6.1
 template <ControlPoints R>
-constexpr void bezier_elevate(const R& points, std::span<detail::control_point<R>> elevated) noexcept {
-  using T = scalar_of<detail::control_point<R>>;
+constexpr void bezier_elevate(const R& points, std::span<control_point<R>> elevated) noexcept {
+  using T = scalar_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && elevated.size() > count);
   for (std::size_t k = 0; k <= count; ++k) {
@@ -49,10 +49,9 @@ constexpr void bezier_elevate(const R& points, std::span<detail::control_point<R
 /// exact   both ends bit for bit from degree 2 on; of degree 1, the middle
 /// source  Forrest 1972: from either end to the middle
 template <ControlPoints R>
-  requires CartesianPoint<detail::control_point<R>> && Floating<scalar_of<detail::control_point<R>>>
-constexpr scalar_of<detail::control_point<R>> bezier_reduce(const R& points,
-                                                            std::span<detail::control_point<R>> reduced) noexcept {
-  using P = detail::control_point<R>;
+  requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
+constexpr scalar_of<control_point<R>> bezier_reduce(const R& points, std::span<control_point<R>> reduced) noexcept {
+  using P = control_point<R>;
   using T = scalar_of<P>;
   const std::size_t n = ring_traits<R>::size(points) - 1;
   IRG_EXPECTS(ring_traits<R>::size(points) > 1 && reduced.size() >= n);

@@ -22,13 +22,13 @@ inline namespace IRG_ABI {
 /// exact   each difference rounded once
 /// source  Bezier 1972; Mihajlovic 2016, 6.1
 template <ControlPoints R>
-constexpr void edges_of_control_polygon(const R& points, std::span<edge_of<detail::control_point<R>>> edges) noexcept {
+constexpr void edges_of_control_polygon(const R& points, std::span<edge_of<control_point<R>>> edges) noexcept {
   const std::size_t n = ring_traits<R>::size(points);
   IRG_EXPECTS(edges.size() >= n);
   for (std::size_t k = 0; k < n; ++k) {
     const auto to = ring_traits<R>::vertex(points, k);
     const auto from = ring_traits<R>::vertex(points, k > 0 ? k - 1 : 0);
-    edges[k] = generate_coordinates<edge_of<detail::control_point<R>>>(
+    edges[k] = generate_coordinates<edge_of<control_point<R>>>(
         [&](int i) { return k > 0 ? coordinate(to, i) - coordinate(from, i) : coordinate(to, i); });
   }
 }
@@ -93,11 +93,11 @@ constexpr void bezier_weights(std::type_identity_t<curve_parameter<T>> t, std::s
 /// cost    n*(n + 1)/2 steps and n + 1 products a coordinate
 /// source  Bezier 1972; Mihajlovic 2016, 6.1 (1)
 template <ControlPoints R>
-constexpr detail::control_point<R> bezier_point_of_edges(
-    const R& edges, parameter_of<R> t, std::span<scalar_of<detail::control_point<R>>> weights) noexcept {
+constexpr control_point<R> bezier_point_of_edges(const R& edges, parameter_of<R> t,
+                                                 std::span<scalar_of<control_point<R>>> weights) noexcept {
   const auto f = weights.first(ring_traits<R>::size(edges));
-  bezier_weights<scalar_of<detail::control_point<R>>>(t, f);
-  return generate_coordinates<detail::control_point<R>>([&](int axis) {
+  bezier_weights<scalar_of<control_point<R>>>(t, f);
+  return generate_coordinates<control_point<R>>([&](int axis) {
     auto sum = coordinate(ring_traits<R>::vertex(edges, 0), axis);
     for (std::size_t i = 1; i < f.size(); ++i)
       sum = sum + product(coordinate(ring_traits<R>::vertex(edges, i), axis), f[i]);

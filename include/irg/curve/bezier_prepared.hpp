@@ -59,10 +59,10 @@ inline namespace IRG_ABI {
 ///         points without preparation at degree 3, 400 at degrees 10 to 50
 /// source  Farin 2002 (control points of a part, their differences); Jiang, Li, Cheng and Su 2010
 template <ControlPoints R>
-  requires Floating<scalar_of<detail::control_point<R>>>
-constexpr std::optional<prepared_bezier<detail::control_point<R>>> prepare_bezier(
-    const R& points, std::span<scalar_of<detail::control_point<R>>> space,
-    std::type_identity_t<std::span<exact_sum<scalar_of<detail::control_point<R>>>>> scratch) noexcept;
+  requires Floating<scalar_of<control_point<R>>>
+constexpr std::optional<prepared_bezier<control_point<R>>> prepare_bezier(
+    const R& points, std::span<scalar_of<control_point<R>>> space,
+    std::type_identity_t<std::span<exact_sum<scalar_of<control_point<R>>>>> scratch) noexcept;
 
 /// The point of the curve at t.
 /// needs   0 <= t <= 1; outside, the polynomial goes on to degree 19 (in floats 11)
@@ -224,11 +224,11 @@ constexpr void prepared_points(const Curve curve, std::span<const scalar_of<P>> 
 namespace irg::inline IRG_ABI {
 
 template <ControlPoints R>
-  requires Floating<scalar_of<detail::control_point<R>>>
-constexpr std::optional<prepared_bezier<detail::control_point<R>>> prepare_bezier(
-    const R& points, std::span<scalar_of<detail::control_point<R>>> space,
-    std::type_identity_t<std::span<exact_sum<scalar_of<detail::control_point<R>>>>> scratch) noexcept {
-  using P = detail::control_point<R>;
+  requires Floating<scalar_of<control_point<R>>>
+constexpr std::optional<prepared_bezier<control_point<R>>> prepare_bezier(
+    const R& points, std::span<scalar_of<control_point<R>>> space,
+    std::type_identity_t<std::span<exact_sum<scalar_of<control_point<R>>>>> scratch) noexcept {
+  using P = control_point<R>;
   using T = scalar_of<P>;
   using curve = prepared_bezier<P>;
   const std::size_t count = ring_traits<R>::size(points), pieces = std::bit_ceil(count);

@@ -103,11 +103,11 @@ inline namespace IRG_ABI {
 /// cost    bernstein_zeros of degree - 1 for each axis, two bezier_split for each extremum
 /// source  Farin 2002, 5.3
 template <ControlPoints R>
-  requires Floating<scalar_of<detail::control_point<R>>>
-constexpr box<scalar_of<detail::control_point<R>>, size_of<detail::control_point<R>>> bezier_box(
-    const R& points, std::span<vec<scalar_of<detail::control_point<R>>, 1>> scratch) noexcept {
-  using T = scalar_of<detail::control_point<R>>;
-  constexpr int dimension = size_of<detail::control_point<R>>;
+  requires Floating<scalar_of<control_point<R>>>
+constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box(
+    const R& points, std::span<vec<scalar_of<control_point<R>>, 1>> scratch) noexcept {
+  using T = scalar_of<control_point<R>>;
+  constexpr int dimension = size_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && scratch.size() >= 8 * count);
   const auto c = scratch.first(count), slopes = scratch.subspan(count, count - 1);
@@ -145,11 +145,10 @@ constexpr box<scalar_of<detail::control_point<R>>, size_of<detail::control_point
 /// cost    as bernstein_zeros
 /// source  Lane and Riesenfeld 1981
 template <ControlPoints R, class Sink>
-  requires(Floating<scalar_of<detail::control_point<R>>> && size_of<detail::control_point<R>> == 2)
-constexpr bool bezier_line_crossings(const R& points, const detail::control_point<R>& a,
-                                     const detail::control_point<R>& b,
-                                     std::span<vec<scalar_of<detail::control_point<R>>, 1>> scratch, Sink sink) {
-  using T = scalar_of<detail::control_point<R>>;
+  requires(Floating<scalar_of<control_point<R>>> && size_of<control_point<R>> == 2)
+constexpr bool bezier_line_crossings(const R& points, const control_point<R>& a, const control_point<R>& b,
+                                     std::span<vec<scalar_of<control_point<R>>, 1>> scratch, Sink sink) {
+  using T = scalar_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && scratch.size() >= 4 * count);
   bool is_sound = true, is_large = false;
@@ -189,11 +188,11 @@ constexpr bool bezier_line_crossings(const R& points, const detail::control_poin
 /// cost    bernstein_zeros of degree 2 * degree - 1, and degree^2 products for its coefficients
 /// source  Schneider 1990
 template <ControlPoints R>
-  requires CartesianPoint<detail::control_point<R>> && Floating<scalar_of<detail::control_point<R>>>
-constexpr nearest_place<detail::control_point<R>> bezier_nearest(
-    const R& points, const detail::control_point<R>& p, std::span<vec<scalar_of<detail::control_point<R>>, 1>> scratch,
-    std::span<detail::control_point<R>> work) noexcept {
-  using P = detail::control_point<R>;
+  requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
+constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const control_point<R>& p,
+                                                         std::span<vec<scalar_of<control_point<R>>, 1>> scratch,
+                                                         std::span<control_point<R>> work) noexcept {
+  using P = control_point<R>;
   using T = scalar_of<P>;
   const std::size_t count = ring_traits<R>::size(points), degree = count - 1;
   IRG_EXPECTS(count > 0 && count <= 61 && scratch.size() >= 8 * count && work.size() >= count);

@@ -103,11 +103,10 @@ inline namespace IRG_ABI {
 /// cost    some differences and products, with exact arithmetic where they nearly cancel
 /// source  Farin 2002, 5.2 and 11.1
 template <ControlPoints R, ControlPoints S>
-  requires(Floating<scalar_of<detail::control_point<R>>> &&
-           std::is_same_v<detail::control_point<R>, detail::control_point<S>>)
+  requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
 [[nodiscard]] constexpr curve_joint joint_of(const R& first, const S& second, double first_width = 1,
                                              double second_width = 1) noexcept {
-  constexpr int dimension = size_of<detail::control_point<R>>;
+  constexpr int dimension = size_of<control_point<R>>;
   IRG_EXPECTS(ring_traits<R>::size(first) > 0 && ring_traits<S>::size(second) > 0);
   IRG_EXPECTS(first_width > 0 && second_width > 0);
   const detail::joint_side<R> a{first, true, first_width};

@@ -99,10 +99,10 @@ inline namespace IRG_ABI {
 /// cost    for each chord some 5 to 20 pairs of bezier_split
 /// source  irg's own: the bound of linear interpolation across each chord
 template <ControlPoints R, class Sink>
-  requires CartesianPoint<detail::control_point<R>> && Floating<scalar_of<detail::control_point<R>>>
-constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<detail::control_point<R>>> tolerance,
-                             std::span<detail::control_point<R>> scratch, Sink sink) {
-  using T = scalar_of<detail::control_point<R>>;
+  requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
+constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<control_point<R>>> tolerance,
+                             std::span<control_point<R>> scratch, Sink sink) {
+  using T = scalar_of<control_point<R>>;
   constexpr int end = 65536;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && scratch.size() >= 3 * count);

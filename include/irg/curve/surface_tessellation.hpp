@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/flatten.hpp>
 #include <irg/math/homogeneous.hpp>
@@ -230,8 +232,7 @@ private:
 template <Coordinates P>
 constexpr bool has_finite_bends(const control_net<P>& net) noexcept {
   for (const P& p : net.points) {
-    for (int i = 0; i < size_of<P>; ++i)
-      if (!is_finite(coordinate(p, i))) return false;
+    if (!is_finite(p)) return false;
     if constexpr (coordinate_traits<P>::kind == coordinate_kind::homogeneous)
       if (!(coordinate(p, size_of<P> - 1) > 0) || !try_to_cartesian(p)) return false;
   }
@@ -282,11 +283,7 @@ constexpr patch_cuts cuts_of_border(std::vector<P> points, scalar_of<P> toleranc
   using T = scalar_of<P>;
   const bool forward = runs_forward(points);
   const auto turn = [](auto& list) {
-    for (std::size_t k = 0, back = list.size() - 1; k < back; ++k, --back) {
-      const auto kept = list[k];
-      list[k] = list[back];
-      list[back] = kept;
-    }
+    for (std::size_t k = 0, back = list.size() - 1; k < back; ++k, --back) std::swap(list[k], list[back]);
   };
   if (!forward) turn(points);
   patch_bends<P> bends({points, points.size()});
@@ -307,18 +304,11 @@ constexpr typename surface_place<P>::type on_surface(const P& p) noexcept {
     return p;
 }
 
-template <Coordinates P>
-constexpr bool is_one_place(const P& a, const P& b) noexcept {
-  for (int i = 0; i < size_of<P>; ++i)
-    if (!(coordinate(a, i) == coordinate(b, i))) return false;
-  return true;
-}
-
 // Hands a triangle over unless two of its corners are one point, as at a pole.
 template <CurvePoint P, class Sink>
 constexpr void put_triangle(surface_tessellation& done, Sink& sink, const surface_corner<P>& a,
                             const surface_corner<P>& b, const surface_corner<P>& c) {
-  if (is_one_place(a.point, b.point) || is_one_place(b.point, c.point) || is_one_place(c.point, a.point)) return;
+  if (same_place(a.point, b.point) || same_place(b.point, c.point) || same_place(c.point, a.point)) return;
   ++done.triangles;
   sink(a, b, c);
 }
@@ -327,7 +317,7 @@ constexpr void put_triangle(surface_tessellation& done, Sink& sink, const surfac
 template <CurvePoint P>
 constexpr bool is_pole(std::span<const P> points, std::size_t first, std::size_t step, std::size_t count) noexcept {
   for (std::size_t k = 1; k < count; ++k)
-    if (!is_one_place(on_surface(points[first]), on_surface(points[first + k * step]))) return false;
+    if (!same_place(on_surface(points[first]), on_surface(points[first + k * step]))) return false;
   return true;
 }
 
@@ -494,16 +484,13 @@ private:
     for (int side = 0; side < 4; ++side) {
       const auto& out = outer(side);
       const int fixed = side % 2 == 1 ? patch_steps : 0;
-      const std::size_t begin = base + (side == 1   ? 1
-                                        : side == 3 ? 2
-                                                    : 0),
-                        end = base + (side == 0   ? 2
-                                      : side == 2 ? 1
-                                                  : 3);
+      constexpr std::size_t begins[] = {0, 1, 0, 2}, ends[] = {2, 3, 1, 3};  // of the corners above
+      const auto at_side = static_cast<std::size_t>(side);
+      const std::size_t begin = base + begins[at_side], end = base + ends[at_side];
       const std::size_t first = corners_.size() - 1;  // of the border's places: first + k for 0 < k < last
       for (std::size_t k = 1; k + 1 < out.size(); ++k) {
         corner& c = side < 2 ? add_corner(out[k], fixed) : add_corner(fixed, out[k]);
-        if (is_pole_[static_cast<std::size_t>(side)]) c.point = corners_[begin].point;
+        if (is_pole_[at_side]) c.point = corners_[begin].point;
       }
       const auto on_border = [&](std::size_t k) { return k == 0 ? begin : k + 1 == out.size() ? end : first + k; };
       const auto inside = [&](std::size_t j) {

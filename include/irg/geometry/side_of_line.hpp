@@ -8,7 +8,6 @@
 namespace irg {
 namespace detail {
 
-// A line's coefficients are members a, b and c, or three coordinates.
 template <class L>
 concept has_abc = requires(const L& l) {
   requires Scalar<std::remove_cvref_t<decltype(l.a)>>;
@@ -16,12 +15,15 @@ concept has_abc = requires(const L& l) {
   requires std::same_as<std::remove_cvref_t<decltype(l.a)>, std::remove_cvref_t<decltype(l.c)>>;
 } && !requires(const L& l) { l.d; };
 
+}  // namespace detail
+
+/// The coefficients of a line: members a, b and c, or three coordinates.
 template <class L>
-concept line_coefficients = has_abc<L> || (Vector<L> && coordinate_traits<L>::size == 3);
+concept LineCoefficients = detail::has_abc<L> || (Vector<L> && coordinate_traits<L>::size == 3);
 
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
-template <line_coefficients L>
+template <LineCoefficients L>
 IRG_INLINE constexpr auto line_coefficient(const L& l, int i) noexcept {
   if constexpr (has_abc<L>)
     return i == 0 ? l.a : i == 1 ? l.b : l.c;
@@ -29,8 +31,7 @@ IRG_INLINE constexpr auto line_coefficient(const L& l, int i) noexcept {
     return coordinate(l, i);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -42,7 +43,7 @@ inline namespace IRG_ABI {
 /// gives   the sign of c for all points when a and b are 0, and 0 when something is NaN or infinite
 /// exact   for every finite float, double and integer
 /// cost    about 3 ns, where roundings do not tell some 100 ns
-template <detail::line_coefficients L, Coordinates Q>
+template <LineCoefficients L, Coordinates Q>
   requires((size_of<Q> == 2 && Point<Q>) || (size_of<Q> == 3 && HomogeneousPoint<Q>))
 [[nodiscard]] constexpr int side_of_line(const L& l, const Q& q) noexcept {
   using T = scalar_of<Q>;

@@ -166,8 +166,6 @@ IRG_INLINE constexpr const P& point_of(const numbered_point<P>& p) noexcept {
 }
 template <class P>
 using bare_point = std::remove_cvref_t<decltype(point_of(std::declval<const P&>()))>;
-template <class P, int D>
-concept PerturbedPoint = Point<bare_point<P>> && size_of<bare_point<P>> == D;
 template <Point P>
 IRG_INLINE constexpr int compare_for_perturbation(const P& p, const P& q) noexcept {
   return compare_lexicographic(p, q);
@@ -200,6 +198,10 @@ IRG_NOINLINE constexpr int perturbed_sign(const Q&... q) noexcept {
 
 }  // namespace detail::inline IRG_ABI
 
+/// A point of D coordinates, or one with a number.
+template <class P, int D>
+concept PerturbedPoint = Point<detail::bare_point<P>> && size_of<detail::bare_point<P>> == D;
+
 inline namespace IRG_ABI {
 
 /// orient2d that is never 0 for three different points: 1 when the way from a over b to c turns left, -1 when it turns
@@ -210,7 +212,7 @@ inline namespace IRG_ABI {
 /// exact   the sign of orient2d, or of the moved points; changes with every exchange of two points
 /// cost    as orient2d, and some 20 ns more where that is 0
 /// source  Edelsbrunner and Muecke 1990, with the lexicographic order for their indices
-template <detail::PerturbedPoint<2> P>
+template <PerturbedPoint<2> P>
 [[nodiscard]] constexpr int orient2d_sos(const P& a, const P& b, const P& c) noexcept {
   const int sign = orient2d(detail::point_of(a), detail::point_of(b), detail::point_of(c));
   return sign != 0 ? sign : detail::perturbed_sign(a, b, c);
@@ -223,7 +225,7 @@ template <detail::PerturbedPoint<2> P>
 /// gives   0 when two of the points are equal
 /// exact   the sign of orient3d, or of the moved points; changes with every exchange of two points
 /// source  Edelsbrunner and Muecke 1990, with the lexicographic order for their indices
-template <detail::PerturbedPoint<3> P>
+template <PerturbedPoint<3> P>
 [[nodiscard]] constexpr int orient3d_sos(const P& a, const P& b, const P& c, const P& d) noexcept {
   const int sign = orient3d(detail::point_of(a), detail::point_of(b), detail::point_of(c), detail::point_of(d));
   return sign != 0 ? sign : -detail::perturbed_sign(a, b, c, d);
@@ -237,7 +239,7 @@ template <detail::PerturbedPoint<3> P>
 /// exact   the sign of in_circle, or of the moved points; changes with every exchange of two points
 /// cost    as in_circle, and some 50 ns more where that is 0, half a microsecond where the points lie on a line
 /// source  Edelsbrunner and Muecke 1990; Devillers and Teillaud 2011 (moved heights, lexicographic order)
-template <detail::PerturbedPoint<2> P>
+template <PerturbedPoint<2> P>
 [[nodiscard]] constexpr int in_circle_sos(const P& a, const P& b, const P& c, const P& d) noexcept {
   const int sign = in_circle(detail::point_of(a), detail::point_of(b), detail::point_of(c), detail::point_of(d));
   return sign != 0 ? sign : detail::perturbed_sign(a, b, c, d);
@@ -250,7 +252,7 @@ template <detail::PerturbedPoint<2> P>
 /// gives   0 when two of the points are equal
 /// exact   the sign of in_sphere, or of the moved points; changes with every exchange of two points
 /// source  as in_circle_sos
-template <detail::PerturbedPoint<3> P>
+template <PerturbedPoint<3> P>
 [[nodiscard]] constexpr int in_sphere_sos(const P& a, const P& b, const P& c, const P& d, const P& e) noexcept {
   const int sign = in_sphere(detail::point_of(a), detail::point_of(b), detail::point_of(c), detail::point_of(d),
                              detail::point_of(e));

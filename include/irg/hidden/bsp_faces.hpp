@@ -237,192 +237,202 @@ constexpr window_order order_of_part(const bsp_open_part& p, const screen_face& 
   return order == window_order::crossing ? order_of_pixels<Order>(p.pixels, *p.node.part.face, plane) : order;
 }
 
-// Builds a tree. Parts stand in cells with boxes of pixels and depths; depths are stretched so that the picture is
-// about as deep as wide, by a power of two, which rounds nothing.
+// A tree that is being built. Parts stand in cells with boxes of pixels and depths; depths are stretched so that the
+// picture is about as deep as wide, by a power of two, which rounds nothing.
 template <DepthOrder Order>
-class bsp_face_builder {
-public:
-  constexpr bsp_face_builder(bsp_of_faces& tree, const cell_window& window) : tree_(tree) {
-    float low = 0.0f, high = 0.0f;
-    for (const screen_face& f : tree.faces) low = lesser(low, f.depth_low), high = greater(high, f.depth_high);
-    const double wide = greater(window.x_last - window.x_first, window.y_last - window.y_first);
-    for (const double deep = widened(high) - widened(low); deep > 0 && deep * stretch_ < wide;) stretch_ *= 2;
-    for (const double deep = widened(high) - widened(low); deep * stretch_ > 2 * wide && stretch_ > 0x1p-200;)
-      stretch_ *= 0.5;
+struct bsp_face_state {
+  bsp_of_faces& tree;
+  double stretch = 1;
+  std::vector<bsp_of_faces::node> unseen{};
+  bsp_face_cells cells{}, known{};
+  std::uint32_t faces = bsp_none;  // all of them, in known, once ties were met
+  std::vector<bsp_task> left{};
+};
+
+// How much depths are stretched.
+constexpr double stretch_of(const std::vector<screen_face>& faces, const cell_window& window) noexcept {
+  double stretch = 1;
+  float low = 0.0f, high = 0.0f;
+  for (const screen_face& f : faces) {
+    low = lesser(low, f.depth_low);
+    high = greater(high, f.depth_high);
+  }
+  const double wide = greater(window.x_last - window.x_first, window.y_last - window.y_first);
+  const double deep = widened(high) - widened(low);
+  while (deep > 0 && deep * stretch < wide) stretch *= 2;
+  while (deep * stretch > 2 * wide && stretch > 0x1p-200) stretch *= 0.5;
+  return stretch;
+}
+
+template <DepthOrder Order>
+constexpr bsp_face_cells::entry entry_of_part(const bsp_face_state<Order>& s, bsp_open_part&& p, std::uint32_t place) {
+  const screen_face& f = *p.node.part.face;
+  const cell_window& w = p.node.box;
+  const box<double, 3> bounds{
+      {static_cast<double>(w.x_first), static_cast<double>(w.y_first), widened(f.depth_low) * s.stretch},
+      {static_cast<double>(w.x_last - 1), static_cast<double>(w.y_last - 1), widened(f.depth_high) * s.stretch}};
+  bsp_bounds<3> within =
+      bounds_of<3>(std::array{stretched(f.v[0], s.stretch), stretched(f.v[1], s.stretch), stretched(f.v[2], s.stretch)},
+                   plane_form<Order>(f, s.stretch).slope);
+  within.around = bounds;
+  return {std::move(p), within, place};
+}
+
+template <DepthOrder Order>
+constexpr void open_root(bsp_face_state<Order>& s, const cell_window& window) {
+  std::vector<bsp_face_cells::entry> all;
+  all.reserve(s.tree.faces.size());
+  for (const screen_face& f : s.tree.faces) {
+    const cell_window box = intersect(f.coverage.bounds, window);
+    bsp_open_part part{{{&f, {}}, box}, hull_of_face(f, box)};
+    if (part.pixels.empty())
+      s.unseen.push_back(std::move(part.node));
+    else
+      all.push_back(entry_of_part(s, std::move(part), static_cast<std::uint32_t>(&f - s.tree.faces.data())));
+  }
+  if (const std::uint32_t cell = s.cells.make_cell(std::move(all)); cell != bsp_none) s.left.push_back({cell});
+}
+
+// How the parts of a cell lie to a plane, or some of them where many lie near it.
+template <DepthOrder Order>
+constexpr bsp_sides sides_of_plane(const bsp_face_state<Order>& s, std::uint32_t cell, const screen_face& plane) {
+  const auto count = [&](const bsp_open_part& p, bsp_sides& sides) {
+    if (p.node.part.face == &plane) return;
+    ++s.tree.counts.asked;
+    const window_order order = order_of_part<Order>(p, plane);
+    ++(order == window_order::nearer ? sides.front : order == window_order::farther ? sides.back : sides.cut);
+  };
+  const std::size_t n = s.cells.size(cell), asked = lesser(bsp_sample, n);
+  const linear_form<3> form = plane_form<Order>(plane, s.stretch);
+  const auto side_of = [&](const bsp_bounds<3>& b) { return rounded_side_of(b, form); };
+  bsp_sides sides = s.cells.count_sides(cell, side_of, count, bsp_looks);
+  if (sides.front + sides.back + sides.cut + bsp_sample < n) {
+    sides = {};
+    for (std::size_t i = 0; i < asked; ++i) count(s.cells.at(cell, i * n / asked), sides);
+    sides = {sides.front * n / asked, sides.back * n / asked, sides.cut * n / asked};
+  }
+  return sides;
+}
+
+// The face whose plane cuts few and leaves as many before it as behind; more are tried while each cuts some.
+template <DepthOrder Order>
+constexpr const screen_face& best_face_plane(const bsp_face_state<Order>& s, std::uint32_t cell) {
+  const std::size_t n = s.cells.size(cell), tried = lesser(bsp_candidates, n), most = lesser(4 * bsp_candidates, n);
+  const screen_face* best = nullptr;
+  std::size_t least = 0, least_cut = 0;
+  for (std::size_t c = 0; c < most && (c < tried || least_cut > 0); ++c) {
+    // Steps of an odd part of the whole, so that further ones fall between those before.
+    const std::size_t k = c < tried ? c * n / tried + n / (2 * tried) : c * n / most;
+    const screen_face& plane = *s.cells.at(cell, k).node.part.face;
+    const bsp_sides sides = sides_of_plane(s, cell, plane);
+    const std::size_t cost = 8 * sides.cut + greater(sides.front, sides.back) - lesser(sides.front, sides.back);
+    if (best != nullptr && cost >= least) continue;
+    least = cost;
+    least_cut = sides.cut;
+    best = &plane;
+  }
+  return *best;
+}
+
+template <DepthOrder Order, class Nearer, class Farther>
+constexpr void split_part(bsp_face_state<Order>& s, const bsp_face_cells::entry& e, const screen_face& plane,
+                          const Nearer& nearer, const Farther& farther) {
+  const bsp_open_part& p = e.item;
+  const hull_halves hulls = split_hull<Order>(p.pixels, *p.node.part.face, plane);
+  fragment_parts both = split_fragment(p.node.part, plane);
+  nearer(entry_of_part(s, {{std::move(both.nearer), window_of(hulls.nearer)}, hulls.nearer}, e.place));
+  farther(entry_of_part(s, {{std::move(both.farther), window_of(hulls.farther)}, hulls.farther}, e.place));
+}
+
+// A part on both sides of a plane only since some of its pixels lie in it, by their numbers, as on the common edge of
+// two faces, of which one has the pixels: on the side of the others where no face is there that these pixels must be
+// told from.
+template <DepthOrder Order>
+constexpr window_order order_without_ties(bsp_face_state<Order>& s, const bsp_open_part& p, const screen_face& plane) {
+  const screen_face& f = *p.node.part.face;
+  const pixels_in_plane ties = find_pixels_in_plane<Order>(p.pixels, f, plane);
+  if (ties.others == window_order::crossing) return window_order::crossing;
+  if (s.faces == bsp_none) {
     std::vector<bsp_face_cells::entry> all;
-    all.reserve(tree.faces.size());
-    for (const screen_face& f : tree.faces) {
-      const cell_window box = intersect(f.coverage.bounds, window);
-      bsp_open_part part{{{&f, {}}, box}, hull_of_face(f, box)};
-      if (part.pixels.empty())
-        unseen_.push_back(std::move(part.node));
-      else
-        all.push_back(entry_of(std::move(part), static_cast<std::uint32_t>(&f - tree.faces.data())));
-    }
-    if (const std::uint32_t cell = cells_.make_cell(std::move(all)); cell != bsp_none) left_.push_back({cell});
+    for (const screen_face& g : s.tree.faces)
+      all.push_back(entry_of_part(s, {{{&g, {}}, g.coverage.bounds}}, static_cast<std::uint32_t>(all.size())));
+    s.faces = s.known.make_cell(std::move(all));
   }
-  constexpr void build() {
-    while (!left_.empty()) {
-      const bsp_task task = left_.back();
-      left_.pop_back();
-      part_by_plane(task);
-    }
-    hang_unseen();
-  }
-
-private:
-  constexpr bsp_face_cells::entry entry_of(bsp_open_part&& p, std::uint32_t place) const {
-    const screen_face& f = *p.node.part.face;
-    const cell_window& w = p.node.box;
-    const box<double, 3> bounds{
-        {static_cast<double>(w.x_first), static_cast<double>(w.y_first), widened(f.depth_low) * stretch_},
-        {static_cast<double>(w.x_last - 1), static_cast<double>(w.y_last - 1), widened(f.depth_high) * stretch_}};
-    bsp_bounds<3> within =
-        bounds_of<3>(std::array{stretched(f.v[0], stretch_), stretched(f.v[1], stretch_), stretched(f.v[2], stretch_)},
-                     plane_form<Order>(f, stretch_).slope);
-    within.around = bounds;
-    return {std::move(p), within, place};
-  }
-
-  // How the parts of a cell lie to a plane, or some of them where many lie near it.
-  constexpr bsp_sides sides_of(std::uint32_t cell, const screen_face& plane) const {
-    const auto count = [&](const bsp_open_part& p, bsp_sides& sides) {
-      if (p.node.part.face == &plane) return;
-      ++tree_.counts.asked;
-      const window_order order = order_of_part<Order>(p, plane);
-      ++(order == window_order::nearer ? sides.front : order == window_order::farther ? sides.back : sides.cut);
+  for (cell at = ties.first;; at.x += ties.step.x, at.y += ties.step.y) {
+    const auto may_hold = [&](const bsp_bounds<3>& b) {
+      const auto& [low, high] = b.around;
+      return low[0] <= at.x && at.x <= high[0] && low[1] <= at.y && at.y <= high[1];
     };
-    const std::size_t n = cells_.size(cell), asked = lesser(bsp_sample, n);
-    const linear_form<3> form = plane_form<Order>(plane, stretch_);
-    const auto side_of = [&](const bsp_bounds<3>& b) { return rounded_side_of(b, form); };
-    bsp_sides sides = cells_.count_sides(cell, side_of, count, bsp_looks);
-    if (sides.front + sides.back + sides.cut + bsp_sample < n) {
-      sides = {};
-      for (std::size_t i = 0; i < asked; ++i) count(cells_.at(cell, i * n / asked), sides);
-      sides = {sides.front * n / asked, sides.back * n / asked, sides.cut * n / asked};
-    }
-    return sides;
+    if (s.known.any_of(s.faces, may_hold, [&](const bsp_open_part& other) {
+          const screen_face& g = *other.node.part.face;
+          return &g != &f && covers(g, at.x, at.y) && compare_depths<Order>(g, plane, at.x, at.y) == 0;
+        }))
+      return window_order::crossing;
+    if (at == ties.last) return ties.others;
   }
+}
 
-  // The face whose plane cuts few and leaves as many before it as behind; more are tried while each cuts some.
-  constexpr const screen_face& best_plane(std::uint32_t cell) const {
-    const std::size_t n = cells_.size(cell), tried = lesser(bsp_candidates, n), most = lesser(4 * bsp_candidates, n);
-    const screen_face* best = nullptr;
-    std::size_t least = 0, least_cut = 0;
-    for (std::size_t c = 0; c < most && (c < tried || least_cut > 0); ++c) {
-      // Steps of an odd part of the whole, so that further ones fall between those before.
-      const std::size_t k = c < tried ? c * n / tried + n / (2 * tried) : c * n / most;
-      const screen_face& plane = *cells_.at(cell, k).node.part.face;
-      const bsp_sides sides = sides_of(cell, plane);
-      const std::size_t cost = 8 * sides.cut + greater(sides.front, sides.back) - lesser(sides.front, sides.back);
-      if (best == nullptr || cost < least) least = cost, least_cut = sides.cut, best = &plane;
-    }
-    return *best;
+// Parts the others of a cell by the plane of one of its parts, which becomes a node.
+template <DepthOrder Order>
+constexpr void part_by_plane(bsp_face_state<Order>& s, const bsp_task& task) {
+  const screen_face& plane = best_face_plane(s, task.cell);
+  const auto id = static_cast<std::int32_t>(s.tree.nodes.size());
+  if (task.parent >= 0) {
+    bsp_of_faces::node& parent = s.tree.nodes[static_cast<std::size_t>(task.parent)];
+    (task.side == face_part::nearer ? parent.nearer : parent.farther) = id;
   }
-
-  // Parts the others of a cell by the plane of one of its parts, which becomes a node.
-  constexpr void part_by_plane(const bsp_task& task) {
-    const screen_face& plane = best_plane(task.cell);
-    const auto id = static_cast<std::int32_t>(tree_.nodes.size());
-    if (task.parent >= 0) {
-      bsp_of_faces::node& parent = tree_.nodes[static_cast<std::size_t>(task.parent)];
-      (task.side == face_part::nearer ? parent.nearer : parent.farther) = id;
-    }
-    tree_.nodes.push_back({});
-    tree_.counts.depth = greater(tree_.counts.depth, task.depth + 1);
-    const linear_form<3> form = plane_form<Order>(plane, stretch_);
-    const auto side_of = [&](const bsp_bounds<3>& b) { return rounded_side_of(b, form); };
-    const bsp_halves halves =
-        cells_.divide(task.cell, side_of, [&](bsp_face_cells::entry&& e, const auto& nearer, const auto& farther) {
-          bsp_open_part& p = e.item;
-          if (p.node.part.face == &plane) {
-            bsp_of_faces::node& here = tree_.nodes[static_cast<std::size_t>(id)];
-            if (here.part.face == nullptr)
-              here = std::move(p.node);
-            else
-              farther(std::move(e));
-            return;
-          }
-          ++tree_.counts.asked;
-          window_order order = order_of_part<Order>(p, plane);
-          if (order == window_order::crossing) order = order_without_ties(p, plane);
-          if (order == window_order::crossing)
-            split(p, e.place, plane, nearer, farther);
-          else if (order == window_order::nearer)
-            nearer(std::move(e));
+  s.tree.nodes.push_back({});
+  s.tree.counts.depth = greater(s.tree.counts.depth, task.depth + 1);
+  const linear_form<3> form = plane_form<Order>(plane, s.stretch);
+  const auto side_of = [&](const bsp_bounds<3>& b) { return rounded_side_of(b, form); };
+  const bsp_halves halves =
+      s.cells.divide(task.cell, side_of, [&](bsp_face_cells::entry&& e, const auto& nearer, const auto& farther) {
+        bsp_open_part& p = e.item;
+        if (p.node.part.face == &plane) {
+          bsp_of_faces::node& here = s.tree.nodes[static_cast<std::size_t>(id)];
+          if (here.part.face == nullptr)
+            here = std::move(p.node);
           else
             farther(std::move(e));
-        });
-    if (halves.front != bsp_none) left_.push_back({halves.front, id, face_part::nearer, task.depth + 1});
-    if (halves.back != bsp_none) left_.push_back({halves.back, id, face_part::farther, task.depth + 1});
-  }
+          return;
+        }
+        ++s.tree.counts.asked;
+        window_order order = order_of_part<Order>(p, plane);
+        if (order == window_order::crossing) order = order_without_ties(s, p, plane);
+        if (order == window_order::crossing)
+          split_part(s, e, plane, nearer, farther);
+        else if (order == window_order::nearer)
+          nearer(std::move(e));
+        else
+          farther(std::move(e));
+      });
+  if (halves.front != bsp_none) s.left.push_back({halves.front, id, face_part::nearer, task.depth + 1});
+  if (halves.back != bsp_none) s.left.push_back({halves.back, id, face_part::farther, task.depth + 1});
+}
 
-  template <class Nearer, class Farther>
-  constexpr void split(const bsp_open_part& p, std::uint32_t place, const screen_face& plane, const Nearer& nearer,
-                       const Farther& farther) {
-    const hull_halves hulls = split_hull<Order>(p.pixels, *p.node.part.face, plane);
-    fragment_parts both = split_fragment(p.node.part, plane);
-    nearer(entry_of({{std::move(both.nearer), window_of(hulls.nearer)}, hulls.nearer}, place));
-    farther(entry_of({{std::move(both.farther), window_of(hulls.farther)}, hulls.farther}, place));
+// Faces without pixels have no side: they become a balanced tree of their own, below the last node on the way farther.
+template <DepthOrder Order>
+constexpr void hang_unseen(bsp_face_state<Order>& s) {
+  const std::size_t first = s.tree.nodes.size();
+  std::int64_t depth = 1;
+  if (first != 0 && !s.unseen.empty()) {
+    bsp_of_faces::node* last = &s.tree.nodes[0];
+    for (; last->farther >= 0; ++depth) last = &s.tree.nodes[static_cast<std::size_t>(last->farther)];
+    last->farther = static_cast<std::int32_t>(first);
+    ++depth;
   }
-
-  // A part on both sides of a plane only since some of its pixels lie in it, by their numbers, as on the common edge of
-  // two faces, of which one has the pixels: on the side of the others where no face is there that these pixels must be
-  // told from.
-  constexpr window_order order_without_ties(const bsp_open_part& p, const screen_face& plane) {
-    const screen_face& f = *p.node.part.face;
-    const pixels_in_plane ties = find_pixels_in_plane<Order>(p.pixels, f, plane);
-    if (ties.others == window_order::crossing) return window_order::crossing;
-    if (faces_ == bsp_none) {
-      std::vector<bsp_face_cells::entry> all;
-      for (const screen_face& g : tree_.faces)
-        all.push_back(entry_of({{{&g, {}}, g.coverage.bounds}}, static_cast<std::uint32_t>(all.size())));
-      faces_ = known_.make_cell(std::move(all));
-    }
-    for (cell at = ties.first;; at.x += ties.step.x, at.y += ties.step.y) {
-      const auto may_hold = [&](const bsp_bounds<3>& b) {
-        const auto& [low, high] = b.around;
-        return low[0] <= at.x && at.x <= high[0] && low[1] <= at.y && at.y <= high[1];
-      };
-      if (known_.any_of(faces_, may_hold, [&](const bsp_open_part& other) {
-            const screen_face& g = *other.node.part.face;
-            return &g != &f && covers(g, at.x, at.y) && compare_depths<Order>(g, plane, at.x, at.y) == 0;
-          }))
-        return window_order::crossing;
-      if (at == ties.last) return ties.others;
-    }
+  const auto child = [&](std::size_t i) {
+    return i < s.unseen.size() ? static_cast<std::int32_t>(first + i) : std::int32_t{-1};
+  };
+  for (std::size_t i = 0; i < s.unseen.size(); ++i) {
+    s.unseen[i].nearer = child(2 * i + 1);
+    s.unseen[i].farther = child(2 * i + 2);
+    s.tree.nodes.push_back(std::move(s.unseen[i]));
   }
-
-  // Faces without pixels have no side: they become a balanced tree of their own, below the last node on the way
-  // farther.
-  constexpr void hang_unseen() {
-    const std::size_t first = tree_.nodes.size();
-    std::int64_t depth = 1;
-    if (first != 0 && !unseen_.empty()) {
-      bsp_of_faces::node* last = &tree_.nodes[0];
-      for (; last->farther >= 0; ++depth) last = &tree_.nodes[static_cast<std::size_t>(last->farther)];
-      last->farther = static_cast<std::int32_t>(first);
-      ++depth;
-    }
-    const auto child = [&](std::size_t i) {
-      return i < unseen_.size() ? static_cast<std::int32_t>(first + i) : std::int32_t{-1};
-    };
-    for (std::size_t i = 0; i < unseen_.size(); ++i) {
-      unseen_[i].nearer = child(2 * i + 1), unseen_[i].farther = child(2 * i + 2);
-      tree_.nodes.push_back(std::move(unseen_[i]));
-    }
-    if (!unseen_.empty())
-      tree_.counts.depth =
-          greater(tree_.counts.depth, depth + static_cast<std::int64_t>(std::bit_width(unseen_.size())) - 1);
-  }
-
-  bsp_of_faces& tree_;
-  double stretch_ = 1;
-  std::vector<bsp_of_faces::node> unseen_{};
-  bsp_face_cells cells_{}, known_{};
-  std::uint32_t faces_ = bsp_none;  // all of them, in known_, once ties were met
-  std::vector<bsp_task> left_{};
-};
+  if (!s.unseen.empty())
+    s.tree.counts.depth =
+        greater(s.tree.counts.depth, depth + static_cast<std::int64_t>(std::bit_width(s.unseen.size())) - 1);
+}
 
 }  // namespace detail::inline IRG_ABI
 
@@ -443,7 +453,13 @@ template <DepthOrder Order = nearer_is_greater, class Faces>
   bsp_of_faces tree;
   tree.faces = detail::copied_faces<Order>(faces, window);
   tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
-  detail::bsp_face_builder<Order>(tree, window).build();
+  detail::bsp_face_state<Order> s{tree, detail::stretch_of(tree.faces, window)};
+  for (detail::open_root(s, window); !s.left.empty();) {
+    const detail::bsp_task task = s.left.back();
+    s.left.pop_back();
+    detail::part_by_plane(s, task);
+  }
+  detail::hang_unseen(s);
   tree.counts.pieces = static_cast<std::int64_t>(tree.nodes.size());
   return tree;
 }

@@ -315,20 +315,11 @@ constexpr void write_surface(Bytes& out, const stored_surface<T>& s) {
   for (const std::uint8_t byte : {s.colour.r, s.colour.g, s.colour.b, s.colour.a})
     for (const int digit : {byte >> 4, byte & 15})
       out.push_back(static_cast<std::uint8_t>(digit < 10 ? '0' + digit : 'a' + digit - 10));
-  const auto share = [&](std::string_view name, const rgb<T>& c) {
-    append_text(out, name);
-    append_number(out, c.r);
-    append_text(out, " ");
-    append_number(out, c.g);
-    append_text(out, " ");
-    append_number(out, c.b);
-  };
+  const auto share = [&](std::string_view name, const rgb<T>& c) { append_all(out, name, c.r, " ", c.g, " ", c.b); };
   share("\" ambient=\"", s.reflection.ambient);
   share("\" diffuse=\"", s.reflection.diffuse);
   share("\" specular=\"", s.reflection.specular);
-  append_text(out, "\" shininess=\"");
-  append_number(out, s.reflection.shininess);
-  append_text(out, "\"/>\n");
+  append_all(out, "\" shininess=\"", s.reflection.shininess, "\"/>\n");
 }
 
 template <class Bytes, Floating T>
@@ -340,17 +331,12 @@ constexpr void write_body(Bytes& out, const stored_body<T>& b) {
   append_text(out, "    </surfaces>\n    <points>\n");
   for (const point<T, 3>& p : b.shape.positions)
     for (int i = 0; i < 3; ++i) {
-      append_text(out, i == 0 ? "      <point x=\"" : i == 1 ? "\" y=\"" : "\" z=\"");
-      append_number(out, p[i]);
+      append_all(out, i == 0 ? "      <point x=\"" : i == 1 ? "\" y=\"" : "\" z=\"", p[i]);
       if (i == 2) append_text(out, "\"/>\n");
     }
   append_text(out, "    </points>\n    <edges>\n");
   for (const stored_edge& e : b.edges) {
-    append_text(out, "      <edge points=\"");
-    append_number(out, e.from);
-    append_text(out, " ");
-    append_number(out, e.to);
-    append_text(out, "\"/>\n");
+    append_all(out, "      <edge points=\"", e.from, " ", e.to, "\"/>\n");
   }
   append_text(out, "    </edges>\n    <faces>\n");
   for (std::size_t f = 0; f < b.shape.face_count(); ++f) {
@@ -360,8 +346,7 @@ constexpr void write_body(Bytes& out, const stored_body<T>& b) {
       append_number(out, b.shape.corner(f, k).position);
     }
     if (b.surface_of_face[f] != stored_body<T>::no_surface) {
-      append_text(out, "\" surface=\"");
-      append_number(out, b.surface_of_face[f]);
+      append_all(out, "\" surface=\"", b.surface_of_face[f]);
     }
     append_text(out, "\"/>\n");
   }

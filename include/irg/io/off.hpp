@@ -317,11 +317,7 @@ template <Floating T>
   const auto v = detail::vertices_to_write(m);
   std::vector<std::uint8_t> out;
   if (v.texcoords) detail::append_text(out, "ST");
-  detail::append_text(out, v.normals ? "NOFF\n" : "OFF\n");
-  detail::append_number(out, v.vertices.size());
-  detail::append_text(out, " ");
-  detail::append_number(out, m.face_count());
-  detail::append_text(out, " 0\n");
+  detail::append_all(out, v.normals ? "NOFF\n" : "OFF\n", v.vertices.size(), " ", m.face_count(), " 0\n");
   for (const mesh_corner& c : v.vertices) {
     detail::append_numbers(out, m.positions[c.position], 3);
     if (v.normals) detail::append_numbers(out, detail::normal_to_write(m, c), 3);

@@ -168,20 +168,15 @@ template <Floating T>
   std::vector<std::uint8_t> out;
   const cell_plan<T>& plan = named.plan;
   for (std::size_t c = 0; c < plan.cells.size(); ++c) {
-    detail::append_text(out, "cell ");
-    detail::append_text(out, named.names[c]);
+    detail::append_all(out, "cell ", named.names[c]);
     for (const point<T, 2>& p : plan.cells[c].corners) detail::append_numbers(out, p, 2);
-    detail::append_text(out, "\nheights ");
-    detail::append_text(out, named.names[c]);
+    detail::append_all(out, "\nheights ", named.names[c]);
     const T heights[] = {plan.cells[c].floor, plan.cells[c].ceiling};
     detail::append_numbers(out, heights, 2);
     detail::append_text(out, "\n");
   }
   for (const plan_portal<T>& p : plan.portals) {
-    detail::append_text(out, "portal ");
-    detail::append_text(out, named.names[p.first]);
-    detail::append_text(out, " ");
-    detail::append_text(out, named.names[p.second]);
+    detail::append_all(out, "portal ", named.names[p.first], " ", named.names[p.second]);
     for (const point<T, 2>& end : {p.a, p.b}) detail::append_numbers(out, end, 2);
     detail::append_text(out, "\n");
   }
@@ -192,11 +187,7 @@ template <class Bytes>
 [[nodiscard]] constexpr Bytes encode_visible_sets(const visible_sets& sets) {
   Bytes out;
   const int cells = sets.seen.extent().width;
-  detail::append_text(out, "visible cells ");
-  detail::append_number(out, cells);
-  detail::append_text(out, " unfinished ");
-  detail::append_number(out, sets.unfinished);
-  detail::append_text(out, "\n");
+  detail::append_all(out, "visible cells ", cells, " unfinished ", sets.unfinished, "\n");
   for (int y = 0; y < cells; ++y)
     for (int x = 0; x < cells; x += 8)
       out.push_back(static_cast<std::uint8_t>(sets.seen.row(y, 0)[x >> 6] >> (x & 63) & 255));

@@ -437,21 +437,17 @@ constexpr void write_ply_header(Bytes& out, const Layout& v, std::size_t faces, 
   const std::string_view type = sizeof(T) == 4 ? "float" : "double";
   const auto properties = [&](std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) {
-      append_text(out, "property ");
-      append_text(out, type);
-      append_text(out, name);
+      append_all(out, "property ", type, name);
     }
   };
   append_text(out, encoding == mesh_encoding::text            ? "ply\nformat ascii 1.0\nelement vertex "
                    : encoding == mesh_encoding::little_endian ? "ply\nformat binary_little_endian 1.0\nelement vertex "
                                                               : "ply\nformat binary_big_endian 1.0\nelement vertex ");
-  append_number(out, v.vertices.size());
-  append_text(out, "\n");
+  append_all(out, v.vertices.size(), "\n");
   properties({" x\n", " y\n", " z\n"});
   if (v.normals) properties({" nx\n", " ny\n", " nz\n"});
   if (v.texcoords) properties({" s\n", " t\n"});
-  append_text(out, "element face ");
-  append_number(out, faces);
+  append_all(out, "element face ", faces);
   append_text(out, lists.count == ply_type::uint8   ? "\nproperty list uchar "
                    : lists.count == ply_type::int32 ? "\nproperty list int "
                                                     : "\nproperty list uint ");

@@ -201,8 +201,7 @@ template <Floating T>
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<std::uint8_t> out;
   const auto add_number_of = [&](const point<T, 3>& p) {
-    detail::append_text(out, " ");
-    detail::append_number(out, std::lower_bound(points.begin(), points.end(), p, before) - points.begin() + 1);
+    detail::append_all(out, " ", std::lower_bound(points.begin(), points.end(), p, before) - points.begin() + 1);
   };
   for (const auto& p : points) {
     detail::append_text(out, "point");
@@ -210,8 +209,7 @@ template <Floating T>
     detail::append_text(out, "\n");
   }
   for (std::size_t c = 0; c < plan.cells.size(); ++c) {
-    detail::append_text(out, "cell ");
-    detail::append_text(out, named.names[c]);
+    detail::append_all(out, "cell ", named.names[c]);
     for (const space_face& face : plan.faces[c]) {
       detail::append_text(out, "\nface");
       for (const std::uint32_t v : face) add_number_of(plan.cells[c][v]);
@@ -219,10 +217,7 @@ template <Floating T>
     detail::append_text(out, "\n");
   }
   for (const auto& p : plan.portals) {
-    detail::append_text(out, "portal ");
-    detail::append_text(out, named.names[p.first]);
-    detail::append_text(out, " ");
-    detail::append_text(out, named.names[p.second]);
+    detail::append_all(out, "portal ", named.names[p.first], " ", named.names[p.second]);
     for (const auto& v : p.ring) add_number_of(v);
     detail::append_text(out, "\n");
   }

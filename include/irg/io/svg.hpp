@@ -24,15 +24,9 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_svg(const R& ra
   const int width = width_of(raster), height = height_of(raster);
   if (const auto refusal = detail::refuse_picture_size(width, height)) return *refusal;
   std::vector<std::uint8_t> out;
-  detail::append_text(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
-  detail::append_number(out, width);
-  detail::append_text(out, "\" height=\"");
-  detail::append_number(out, height);
+  detail::append_all(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width, "\" height=\"", height);
   detail::append_text(out, "\" viewBox=\"0 0 ");  // so that it scales with a width and height that its page gives it
-  detail::append_number(out, width);
-  detail::append_text(out, " ");
-  detail::append_number(out, height);
-  detail::append_text(out, "\" shape-rendering=\"crispEdges\">\n");
+  detail::append_all(out, width, " ", height, "\" shape-rendering=\"crispEdges\">\n");
   for (int y = 0, y_end = 0; y < height; y = y_end) {
     y_end = detail::end_of_equal_rows(raster, y);
     for (int x = 0, x_end = 0; x < width; x = x_end) {

@@ -248,11 +248,6 @@ void project_points_in_lanes(const mat<T, 4, 4>& a, const T* p, T* out, std::siz
 }
 
 // What constant evaluation and machines without lanes do: one(i) for each.
-template <int Columns, class T, class One>
-constexpr void transform_triples(const mat<T, 4, 4>& a, const T* p, T* out, std::size_t n, const One& one) noexcept {
-  if (has_lanes && !std::is_constant_evaluated()) return transform_triples_in_lanes<Columns>(a, p, out, n, one);
-  for (std::size_t i = 0; i < n; ++i) one(i);
-}
 template <class T, class One>
 constexpr void transform_streams(const mat<T, 4, 4>& a, const T* const (&p)[3], T* const (&out)[3], std::size_t n,
                                  const One& one) noexcept {
@@ -273,8 +268,8 @@ constexpr void transform_rows(const mat<T, 4, 4>& a, From from, To to, const One
   if (from.empty()) return;
   const auto each = [&](std::size_t i) { to[i] = one(from[i]); };
   by_rows(
-      from.size(), each, [&](auto* p, auto* q) { transform_triples<Coordinates>(a, p, q, from.size(), each); }, from[0],
-      to[0]);
+      from.size(), each, [&](auto* p, auto* q) { transform_triples_in_lanes<Coordinates>(a, p, q, from.size(), each); },
+      from[0], to[0]);
 }
 
 }  // namespace detail::inline IRG_ABI

@@ -109,55 +109,36 @@ IRG_INLINE void by_registers(std::size_t n, const One& one, const All& all) noex
 }
 
 template <class T, class One>
-void dots_in_lanes(const T* a, const T* b, T* out, std::size_t n, const One& one) noexcept {
+void dots(const T* a, const T* b, T* out, std::size_t n, const One& one) noexcept {
   constexpr int count = widest_lanes<T>;
   by_registers<count>(n, one, [&](std::size_t i) IRG_INLINE_LAMBDA {
     lanes<pack<T, count>>::store(out + i, dot_lanes(load_triples<count>(a + 3 * i), load_triples<count>(b + 3 * i)));
   });
 }
 template <class T, class One>
-void crosses_in_lanes(const T* a, const T* b, T* out, std::size_t n, const One& one) noexcept {
+void crosses(const T* a, const T* b, T* out, std::size_t n, const One& one) noexcept {
   constexpr int count = widest_lanes<T>;
   by_registers<count>(n, one, [&](std::size_t i) IRG_INLINE_LAMBDA {
     store_triples(out + 3 * i, cross_lanes(load_triples<count>(a + 3 * i), load_triples<count>(b + 3 * i)));
   });
 }
 template <class T, class One>
-void normalize_fast_in_lanes(const T* v, T* out, std::size_t n, const One& one) noexcept {
+void normalize_fast(const T* v, T* out, std::size_t n, const One& one) noexcept {
   constexpr int count = widest_lanes<T>;
   by_registers<count>(n, one, [&](std::size_t i) IRG_INLINE_LAMBDA {
     store_triples(out + 3 * i, normalize_fast_lanes(load_triples<count>(v + 3 * i)));
   });
 }
-template <class One>
-void normalize_in_lanes(const float* v, float* out, std::size_t n, const One& one) noexcept {
-  constexpr int count = widest_lanes<double>;
-  by_registers<count>(n, one, [&](std::size_t i) IRG_INLINE_LAMBDA {
-    store_triples(out + 3 * i, normalize_lanes<count>(load_triples<count>(v + 3 * i)));
-  });
-}
-
-// What constant evaluation and machines without lanes do: one(i) for each of n.
 template <class T, class One>
-constexpr void dots(const T* a, const T* b, T* out, std::size_t n, const One& one) noexcept {
-  if (has_lanes && !std::is_constant_evaluated()) return dots_in_lanes(a, b, out, n, one);
-  for (std::size_t i = 0; i < n; ++i) one(i);
-}
-template <class T, class One>
-constexpr void crosses(const T* a, const T* b, T* out, std::size_t n, const One& one) noexcept {
-  if (has_lanes && !std::is_constant_evaluated()) return crosses_in_lanes(a, b, out, n, one);
-  for (std::size_t i = 0; i < n; ++i) one(i);
-}
-template <class T, class One>
-constexpr void normalize_fast(const T* v, T* out, std::size_t n, const One& one) noexcept {
-  if (has_lanes && !std::is_constant_evaluated()) return normalize_fast_in_lanes(v, out, n, one);
-  for (std::size_t i = 0; i < n; ++i) one(i);
-}
-template <class T, class One>
-constexpr void normalize(const T* v, T* out, std::size_t n, const One& one) noexcept {
-  if constexpr (std::is_same_v<T, float> && has_lanes && native_bytes >= 32)  // a double's needs more than its range
-    if (!std::is_constant_evaluated()) return normalize_in_lanes(v, out, n, one);
-  for (std::size_t i = 0; i < n; ++i) one(i);
+void normalize(const T* v, T* out, std::size_t n, const One& one) noexcept {
+  if constexpr (std::is_same_v<T, float> && native_bytes >= 32) {  // a double's needs more than its range
+    constexpr int count = widest_lanes<double>;
+    by_registers<count>(n, one, [&](std::size_t i) IRG_INLINE_LAMBDA {
+      store_triples(out + 3 * i, normalize_lanes<count>(load_triples<count>(v + 3 * i)));
+    });
+  } else {
+    for (std::size_t i = 0; i < n; ++i) one(i);
+  }
 }
 
 }  // namespace detail::inline IRG_ABI

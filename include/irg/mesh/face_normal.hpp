@@ -13,14 +13,12 @@
 #include <irg/math/length.hpp>
 #include <irg/mesh/mesh.hpp>
 
-namespace irg::detail {
-
+namespace irg {
+/// What the normals of a mesh's faces and vertices are.
 template <SpaceMesh M>
 using mesh_normal = vec<scalar_of<typename mesh_traits<M>::point>, 3>;
 
-}  // namespace irg::detail
-
-namespace irg::inline IRG_ABI {
+inline namespace IRG_ABI {
 
 /// The plane normal of a polygon by Newell's method about its first vertex: at right angles to the plane, pointing to
 /// the side from which the vertices run counter-clockwise, as long as twice the polygon's area.
@@ -39,9 +37,10 @@ template <PolygonRing R>
 ///         underflow for finite positions of any size
 /// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
 template <SpaceMesh M>
-[[nodiscard]] constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept;
+[[nodiscard]] constexpr std::optional<mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept;
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace IRG_ABI
+}  // namespace irg
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -112,8 +111,8 @@ template <PolygonRing R>
 }
 
 template <SpaceMesh M>
-[[nodiscard]] constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
-  using V = detail::mesh_normal<M>;
+[[nodiscard]] constexpr std::optional<mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
+  using V = mesh_normal<M>;
   const auto unit = try_normalize(detail::newell_sum(detail::edges_of_face(m, f)));
   if (!unit) return std::nullopt;
   return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>((*unit)[i]); });

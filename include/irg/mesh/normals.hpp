@@ -38,8 +38,8 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 7.3 (average; its division by the count is left out as it keeps the direction); Thuermer
 ///         and Wuethrich 1998 (angle); area: the length of Newell's vector
 template <SpaceMesh M>
-[[nodiscard]] constexpr std::vector<detail::mesh_normal<M>> vertex_normals(
-    const M& m, normal_weight weight = normal_weight::average);
+[[nodiscard]] constexpr std::vector<mesh_normal<M>> vertex_normals(const M& m,
+                                                                   normal_weight weight = normal_weight::average);
 
 /// Gives a mesh smooth shading: its normals become those of vertex_normals, and every corner names the normal of its
 /// position.
@@ -201,8 +201,8 @@ constexpr void for_weighted_corners(const M& m, std::size_t face, normal_weight 
 inline namespace IRG_ABI {
 
 template <SpaceMesh M>
-[[nodiscard]] constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m, normal_weight weight) {
-  using V = detail::mesh_normal<M>;
+[[nodiscard]] constexpr std::vector<mesh_normal<M>> vertex_normals(const M& m, normal_weight weight) {
+  using V = mesh_normal<M>;
   std::vector<V> normals(mesh_traits<M>::vertex_count(m), V{});
   const auto add = [&](std::size_t f, std::size_t k, const vec<double, 3>& n) IRG_INLINE_LAMBDA {
     normals[mesh_traits<M>::face_vertex(m, f, k)] +=

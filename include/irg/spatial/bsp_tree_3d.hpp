@@ -34,25 +34,26 @@ public:
   /// source  Fuchs, Kedem and Naylor 1980
   IRG_APART constexpr bsp_tree_3d(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
                                   const bsp_choice& choice = {}) {
-    add(vertices, triangles, choice);
-    fixed_ = sizes();
+    detail::add_triangles(tree_, vertices, triangles, choice);
+    fixed_ = detail::sizes_of(tree_);
   }
 
   /// A tree from what data() gave.
   /// needs   find_bsp_fault(data).defect == bsp_defect::none
-  IRG_APART constexpr explicit bsp_tree_3d(bsp_data_3d<T> data) : data_(std::move(data)) {
-    IRG_EXPECTS(find_bsp_fault(data_).defect == bsp_defect::none);
-    for (const bsp_node_3d& n : data_.nodes) planes_.push_back(detail::plane_of(data_, n.plane));
-    for (std::uint32_t i = 0; i < data_.nodes.size(); ++i) steps_.push_back(step_at(i));
-    fixed_ = sizes();
+  IRG_APART constexpr explicit bsp_tree_3d(bsp_data_3d<T> data) {
+    tree_.data = std::move(data);
+    IRG_EXPECTS(find_bsp_fault(tree_.data).defect == bsp_defect::none);
+    for (const bsp_node_3d& n : tree_.data.nodes) tree_.planes.push_back(detail::plane_of(tree_.data, n.plane));
+    for (std::uint32_t i = 0; i < tree_.data.nodes.size(); ++i) tree_.steps.push_back(detail::step_at(tree_, i));
+    fixed_ = detail::sizes_of(tree_);
   }
 
   /// What the tree consists of. Node 0 is the root.
-  [[nodiscard]] IRG_APART constexpr const bsp_data_3d<T>& data() const noexcept { return data_; }
+  [[nodiscard]] IRG_APART constexpr const bsp_data_3d<T>& data() const noexcept { return tree_.data; }
   /// How often a plane cut a triangle, or a piece of one, in two.
-  [[nodiscard]] IRG_APART constexpr std::size_t splits() const noexcept { return splits_; }
+  [[nodiscard]] IRG_APART constexpr std::size_t splits() const noexcept { return tree_.splits; }
   /// Triangles without area, or with NaN or infinity.
-  [[nodiscard]] IRG_APART constexpr std::size_t left_out() const noexcept { return left_out_; }
+  [[nodiscard]] IRG_APART constexpr std::size_t left_out() const noexcept { return tree_.left_out; }
 
   /// The corners of a piece as points, to draw it or hand it on: counter-clockwise as those of its triangle.
   /// exact   the triangle's corners are given points; others are rounded, by about as much as the planes are steep to
@@ -60,13 +61,14 @@ public:
   /// cost    the corners times the limits; allocates
   [[nodiscard]] IRG_APART constexpr std::vector<point<T, 3>> rounded(const bsp_piece_3d& p) const {
     std::vector<point<T, 3>> ring, kept;
-    for (const std::uint32_t v : data_.triangles[p.triangle].v) ring.push_back(data_.vertices[v]);
-    for (std::uint32_t l = p.limits; l != bsp_none && !ring.empty(); l = data_.limits[l].next, std::swap(ring, kept)) {
+    for (const std::uint32_t v : tree_.data.triangles[p.triangle].v) ring.push_back(tree_.data.vertices[v]);
+    for (std::uint32_t l = p.limits; l != bsp_none && !ring.empty();
+         l = tree_.data.limits[l].next, std::swap(ring, kept)) {
       kept.clear();
-      const detail::rounded_plane& plane = planes_[data_.limits[l].node];
+      const detail::rounded_plane& plane = tree_.planes[tree_.data.limits[l].node];
       const auto height = [&](const point<T, 3>& q) {
         const double at[3] = {widened(q[0]), widened(q[1]), widened(q[2])};
-        return plane(at, 0.0).value * data_.limits[l].side;
+        return plane(at, 0.0).value * tree_.data.limits[l].side;
       };
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
@@ -87,19 +89,19 @@ public:
   IRG_APART constexpr void merge(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
                                  const bsp_choice& choice = {}) {
     struct undo {
-      bsp_tree_3d* tree;
-      size_of_tree before;
+      detail::growing_bsp_3d<T>* tree;
+      detail::bsp_sizes before;
       IRG_APART constexpr ~undo() {
-        if (tree != nullptr) tree->shrink_to(before);
+        if (tree != nullptr) detail::shrink_to(*tree, before);
       }
     };
-    undo guard{this, sizes()};
-    add(vertices, triangles, choice);
+    undo guard{&tree_, detail::sizes_of(tree_)};
+    detail::add_triangles(tree_, vertices, triangles, choice);
     guard.tree = nullptr;
   }
   /// Takes away all triangles that were merged in: the tree is what it was.
   /// cost    linear in what was added
-  IRG_APART constexpr void remove_merged() { shrink_to(fixed_); }
+  IRG_APART constexpr void remove_merged() { detail::shrink_to(tree_, fixed_); }
 
   /// Calls sink(piece) for all pieces, so that of two that a ray from the eye crosses the farther one comes first, or
   /// the nearer; of those in one plane the lower number counts as the nearer. Pieces in a plane that holds the eye are
@@ -111,15 +113,16 @@ public:
     const double at[3] = {widened(eye[0]), widened(eye[1]), widened(eye[2])};
     const double reach = greater(greater(magnitude(at[0]), magnitude(at[1])), magnitude(at[2]));
     walk(order, sink, [&](std::uint32_t i) {
-      const int sure = steps_[i].plane(at, reach).sign();
-      return sure != 0 ? sure : detail::exact_side(data_, data_.nodes[i].plane, eye);
+      const int sure = tree_.steps[i].plane(at, reach).sign();
+      return sure != 0 ? sure : detail::exact_side(tree_.data, tree_.data.nodes[i].plane, eye);
     });
   }
   /// The same from infinitely far away, in the direction to the eye: for parallel projections.
   /// needs   a finite direction
   template <class Sink>
   IRG_APART constexpr void visit(const vec<T, 3>& to_eye, bsp_order order, Sink&& sink) const {
-    walk(order, sink, [&](std::uint32_t i) { return detail::side_of_direction(data_, data_.nodes[i].plane, to_eye); });
+    walk(order, sink,
+         [&](std::uint32_t i) { return detail::side_of_direction(tree_.data, tree_.data.nodes[i].plane, to_eye); });
   }
 
   /// The cell that holds a point, or the first node whose plane does.
@@ -127,140 +130,16 @@ public:
   [[nodiscard]] IRG_APART constexpr bsp_place locate(const point<T, 3>& p) const noexcept {
     const double at[3] = {widened(p[0]), widened(p[1]), widened(p[2])};
     bsp_place place;
-    for (std::uint32_t i = data_.nodes.empty() ? bsp_none : 0; i != bsp_none;) {
-      const int sure = planes_[i](at, 0.0).sign();
-      place = {i, sure != 0 ? sure : detail::exact_side(data_, data_.nodes[i].plane, p)};
+    for (std::uint32_t i = tree_.data.nodes.empty() ? bsp_none : 0; i != bsp_none;) {
+      const int sure = tree_.planes[i](at, 0.0).sign();
+      place = {i, sure != 0 ? sure : detail::exact_side(tree_.data, tree_.data.nodes[i].plane, p)};
       if (place.side == 0) break;
-      i = place.side > 0 ? data_.nodes[i].front : data_.nodes[i].back;
+      i = place.side > 0 ? tree_.data.nodes[i].front : tree_.data.nodes[i].back;
     }
     return place;
   }
 
 private:
-  // Where a node hangs: below another one, in front or behind, or beside one of the same plane.
-  enum class hung { in_front, behind, beside };
-  struct link {
-    std::uint32_t node;
-    hung where;
-  };
-  struct task {
-    std::vector<detail::open_piece> pieces;
-    link at;
-  };
-  struct size_of_tree {
-    std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0, links = 0;
-  };
-
-  IRG_APART constexpr void shrink_to(const size_of_tree& to) {
-    for (; links_.size() > to.links; links_.pop_back()) {
-      link_of(links_.back()) = bsp_none;
-      steps_[links_.back().node] = step_at(links_.back().node);
-    }
-    data_.vertices.resize(to.vertices, point<T, 3>{});
-    data_.triangles.resize(to.triangles, triangle_indices{});
-    data_.nodes.resize(to.nodes, bsp_node_3d{});
-    planes_.erase(planes_.begin() + static_cast<std::ptrdiff_t>(to.nodes), planes_.end());
-    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(to.nodes), steps_.end());
-    data_.pieces.resize(to.pieces, bsp_piece_3d{});
-    data_.limits.resize(to.limits, bsp_limit_3d{});
-    splits_ = to.splits, left_out_ = to.left_out;
-  }
-  [[nodiscard]] IRG_APART constexpr size_of_tree sizes() const noexcept {
-    return {data_.vertices.size(),
-            data_.triangles.size(),
-            data_.nodes.size(),
-            data_.pieces.size(),
-            data_.limits.size(),
-            splits_,
-            left_out_,
-            links_.size()};
-  }
-
-  IRG_APART constexpr std::uint32_t& link_of(const link& l) noexcept {
-    bsp_node_3d& n = data_.nodes[l.node];
-    return l.where == hung::in_front ? n.front : l.where == hung::behind ? n.back : n.beside;
-  }
-
-  IRG_APART constexpr void add(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
-                               const bsp_choice& choice) {
-    IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
-    const std::size_t links_before = links_.size();
-    const auto base = static_cast<std::uint32_t>(data_.vertices.size());
-    data_.vertices.insert(data_.vertices.end(), vertices.begin(), vertices.end());
-    detail::bsp_cells_3d<T> cells{data_};
-    task all{{}, {bsp_none, hung::in_front}};
-    for (const triangle_indices& t : triangles) {
-      const auto number = static_cast<std::uint32_t>(data_.triangles.size());
-      for (const std::uint32_t v : t.v) IRG_EXPECTS(v < vertices.size());
-      data_.triangles.push_back({{t.v[0] + base, t.v[1] + base, t.v[2] + base}});
-      if (detail::has_area(data_, number))
-        all.pieces.push_back({number, bsp_none, 0, 0});
-      else
-        ++left_out_;
-    }
-    std::vector<task> open;
-    if (!all.pieces.empty()) open.push_back(std::move(all));
-    std::vector<detail::open_piece> on;
-    while (!open.empty()) {
-      task t = std::move(open.back());
-      open.pop_back();
-      // The root, or what hangs where this would hang: there only before anything is added.
-      std::uint32_t here = t.at.node != bsp_none ? link_of(t.at) : data_.nodes.empty() ? bsp_none : 0;
-      const bool is_new = here == bsp_none;
-      if (is_new) {
-        here = make_node(cells.dividing_plane(t.pieces, choice));
-        if (t.at.node != bsp_none) hang(here, t.at);
-      }
-      on.clear();
-      task front{{}, {here, hung::in_front}}, back{{}, {here, hung::behind}};
-      splits_ += cells.divide(t.pieces, {here, planes_[here]}, {front.pieces, back.pieces, on});
-      if (!on.empty()) put_pieces(is_new ? here : beside(here), on);
-      if (!back.pieces.empty()) open.push_back(std::move(back));
-      if (!front.pieces.empty()) open.push_back(std::move(front));
-    }
-    for (auto i = static_cast<std::uint32_t>(steps_.size()); i < data_.nodes.size(); ++i) steps_.push_back(step_at(i));
-    for (std::size_t i = links_before; i < links_.size(); ++i) steps_[links_[i].node] = step_at(links_[i].node);
-  }
-  IRG_APART constexpr std::uint32_t make_node(bsp_plane_3d plane) {
-    const auto here = static_cast<std::uint32_t>(data_.nodes.size());
-    const auto end = static_cast<std::uint32_t>(data_.pieces.size());
-    data_.nodes.push_back({plane, end, end, bsp_none, bsp_none, bsp_none});
-    planes_.push_back(detail::plane_of(data_, plane));
-    return here;
-  }
-  IRG_APART constexpr void hang(std::uint32_t node, const link& at) {
-    if (at.node < steps_.size()) links_.push_back(at);  // it was there before
-    link_of(at) = node;
-  }
-  // A new node for pieces in the plane of one that is there.
-  IRG_APART constexpr std::uint32_t beside(std::uint32_t node) {
-    while (data_.nodes[node].beside != bsp_none) node = data_.nodes[node].beside;
-    const std::uint32_t here = make_node(data_.nodes[node].plane);
-    hang(here, {node, hung::beside});
-    return here;
-  }
-  IRG_APART constexpr void put_pieces(std::uint32_t node, const std::vector<detail::open_piece>& on) {
-    for (const detail::open_piece& p : on) data_.pieces.push_back({p.triangle, p.limits});
-    data_.nodes[node].last = static_cast<std::uint32_t>(data_.pieces.size());
-  }
-
-  // What a visit asks of a node: its plane, what is below it behind and in front, and its piece if it has but one.
-  struct walk_step {
-    detail::walked_plane plane;
-    std::uint32_t below[2], piece;
-  };
-  static constexpr std::uint32_t several = bsp_none - 1;
-
-  [[nodiscard]] IRG_APART constexpr walk_step step_at(std::uint32_t i) const {
-    const bsp_node_3d& n = data_.nodes[i];
-    const bool has_one = n.beside == bsp_none && n.last - n.first <= 1;
-    return {detail::walked_plane(planes_[i]),
-            {n.back, n.front},
-            !has_one           ? several
-            : n.first < n.last ? n.first
-                               : bsp_none};
-  }
-
   template <class Sink, class Side>
   IRG_APART constexpr void walk(bsp_order order, Sink& sink, const Side& side_of_eye) const {
     const bool to_back = order == bsp_order::front_to_back;
@@ -268,7 +147,7 @@ private:
       std::uint32_t own, late;  // what is left: a node's own pieces, and what lies beyond them
     };
     std::vector<left_open> open;
-    for (std::uint32_t i = data_.nodes.empty() ? bsp_none : 0; i != bsp_none || !open.empty();) {
+    for (std::uint32_t i = tree_.data.nodes.empty() ? bsp_none : 0; i != bsp_none || !open.empty();) {
       if (i == bsp_none) {
         const left_open l = open.back();
         open.pop_back();
@@ -276,7 +155,7 @@ private:
         i = l.late;
         continue;
       }
-      const walk_step& n = steps_[i];
+      const detail::bsp_walk_step& n = tree_.steps[i];
       const bool front_first = (side_of_eye(i) > 0) == to_back;
       const std::uint32_t early = n.below[front_first ? 1 : 0], late = n.below[front_first ? 0 : 1];
       if (early != bsp_none)
@@ -289,30 +168,26 @@ private:
   // The pieces in a node's plane: those of nodes beside it have higher numbers.
   template <class Sink>
   IRG_APART constexpr void give(std::uint32_t node, bool to_back, Sink& sink) const {
-    if (const walk_step& n = steps_[node]; n.piece != several) {
-      if (n.piece != bsp_none) sink(data_.pieces[n.piece]);
+    if (const detail::bsp_walk_step& n = tree_.steps[node]; n.piece != detail::several_pieces) {
+      if (n.piece != bsp_none) sink(tree_.data.pieces[n.piece]);
       return;
     }
     if (to_back) {
-      for (std::uint32_t i = node; i != bsp_none; i = data_.nodes[i].beside)
-        for (std::uint32_t p = data_.nodes[i].first; p < data_.nodes[i].last; ++p) sink(data_.pieces[p]);
+      for (std::uint32_t i = node; i != bsp_none; i = tree_.data.nodes[i].beside)
+        for (std::uint32_t p = tree_.data.nodes[i].first; p < tree_.data.nodes[i].last; ++p) sink(tree_.data.pieces[p]);
       return;
     }
     const auto give_node = [&](const bsp_node_3d& n) {
-      for (std::uint32_t p = n.last; p-- > n.first;) sink(data_.pieces[p]);
+      for (std::uint32_t p = n.last; p-- > n.first;) sink(tree_.data.pieces[p]);
     };
-    if (data_.nodes[node].beside == bsp_none) return give_node(data_.nodes[node]);
+    if (tree_.data.nodes[node].beside == bsp_none) return give_node(tree_.data.nodes[node]);
     std::vector<std::uint32_t> nodes;  // to be taken from the end
-    for (std::uint32_t i = node; i != bsp_none; i = data_.nodes[i].beside) nodes.push_back(i);
-    for (; !nodes.empty(); nodes.pop_back()) give_node(data_.nodes[nodes.back()]);
+    for (std::uint32_t i = node; i != bsp_none; i = tree_.data.nodes[i].beside) nodes.push_back(i);
+    for (; !nodes.empty(); nodes.pop_back()) give_node(tree_.data.nodes[nodes.back()]);
   }
 
-  bsp_data_3d<T> data_{};
-  std::vector<detail::rounded_plane> planes_{};  // of the nodes
-  std::vector<walk_step> steps_{};
-  std::vector<link> links_{};  // from what was there to what was merged in
-  size_of_tree fixed_{};
-  std::size_t splits_ = 0, left_out_ = 0;
+  detail::growing_bsp_3d<T> tree_{};
+  detail::bsp_sizes fixed_{};  // without what was merged in
 };
 
 }  // namespace irg

@@ -64,101 +64,113 @@ namespace irg::detail::inline IRG_ABI {
 
 // Splits where the highest bit changes in which places along a curve of 2^10 steps an axis differ.
 template <class Item>
-class morton_splits {
-public:
+struct morton_splits {
   struct range {
     std::uint32_t first = 0, count = 0;
   };
 
-  constexpr explicit morton_splits(const std::vector<Item>& items) {
-    const std::vector<std::uint64_t> keys = sorted_keys(items);
-    items_.reserve(items.size());
-    codes_.reserve(items.size());
-    for (const std::uint64_t key : keys) {
-      items_.push_back(items[key & 0xffffffff]);
-      codes_.push_back(static_cast<std::uint32_t>(key >> 32));
-    }
+  std::vector<Item> items{};  // along the curve
+  std::vector<std::uint32_t> codes{};
+};
+
+constexpr std::uint32_t spread_bits(std::uint32_t x) noexcept {  // two zeros before each of 10 bits
+  x = (x | x << 16) & 0x030000ff;
+  x = (x | x << 8) & 0x0300f00f;
+  x = (x | x << 4) & 0x030c30c3;
+  return (x | x << 2) & 0x09249249;
+}
+
+// The places in the upper halves, the items' in the lower, by place.
+template <class Item>
+constexpr std::vector<std::uint64_t> sorted_morton_keys(const std::vector<Item>& items) {
+  const Item centres = centres_round(items, 0, items.size());
+  float least[4]{}, gain[4]{};
+  for (int i = 0; i < 3; ++i) {
+    const float extent = 0.0f - centres.v[4 + i] - centres.v[i];
+    least[i] = centres.v[i];
+    gain[i] = extent > 0 ? 1024.0f / extent : 0.0f;
   }
+  std::vector<std::uint64_t> keys(items.size(), std::uint64_t{0}), other(items.size(), std::uint64_t{0});
+  std::uint32_t starts[3][1024]{};
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    std::int32_t bin[4];
+    bins_kernel(bin, items[i].v, least, gain, 1023);
+    const std::uint32_t code = spread_bits(static_cast<std::uint32_t>(bin[0])) << 2 |
+                               spread_bits(static_cast<std::uint32_t>(bin[1])) << 1 |
+                               spread_bits(static_cast<std::uint32_t>(bin[2]));
+    keys[i] = std::uint64_t{code} << 32 | i;
+    for (int digit = 0; digit < 3; ++digit) ++starts[digit][code >> (10 * digit) & 1023];
+  }
+  for (int digit = 0; digit < 3; ++digit) {
+    std::uint32_t before = 0;
+    for (std::uint32_t& start : starts[digit]) before += std::exchange(start, before);
+    for (const std::uint64_t key : keys) other[starts[digit][key >> (32 + 10 * digit) & 1023]++] = key;
+    keys.swap(other);
+  }
+  return keys;
+}
 
-  IRG_INLINE constexpr std::uint32_t priority(const range& r) const noexcept { return r.count; }
-  IRG_INLINE constexpr const Item& item(const range& r, std::uint32_t i) const noexcept { return items_[r.first + i]; }
+template <class Item>
+constexpr morton_splits<Item> make_morton_splits(const std::vector<Item>& items) {
+  morton_splits<Item> splits;
+  splits.items.reserve(items.size());
+  splits.codes.reserve(items.size());
+  for (const std::uint64_t key : sorted_morton_keys(items)) {
+    splits.items.push_back(items[key & 0xffffffff]);
+    splits.codes.push_back(static_cast<std::uint32_t>(key >> 32));
+  }
+  return splits;
+}
 
-  constexpr void split(range& r, range& second) const noexcept {
-    const std::uint32_t differ = codes_[r.first] ^ codes_[r.first + r.count - 1];
-    std::uint32_t low = r.count / 2;
-    if (differ != 0) {
-      const std::uint32_t bit = std::bit_floor(differ);
-      low = 0;
-      for (std::uint32_t rest = r.count; rest > 0;) {
-        const std::uint32_t half = rest / 2;
-        if ((codes_[r.first + low + half] & bit) == 0) {
-          low += half + 1;
-          rest -= half + 1;
-        } else {
-          rest = half;
-        }
+template <class Item>
+IRG_INLINE constexpr std::uint32_t priority_of(const morton_splits<Item>&,
+                                               const range_of<morton_splits<Item>>& r) noexcept {
+  return r.count;
+}
+
+template <class Item>
+IRG_INLINE constexpr const Item& item_at(const morton_splits<Item>& splits, const range_of<morton_splits<Item>>& r,
+                                         std::uint32_t i) noexcept {
+  return splits.items[r.first + i];
+}
+
+template <class Item>
+constexpr void split_range(const morton_splits<Item>& splits, range_of<morton_splits<Item>>& r,
+                           range_of<morton_splits<Item>>& second) noexcept {
+  const std::uint32_t differ = splits.codes[r.first] ^ splits.codes[r.first + r.count - 1];
+  std::uint32_t low = r.count / 2;
+  if (differ != 0) {
+    const std::uint32_t bit = std::bit_floor(differ);
+    low = 0;
+    for (std::uint32_t rest = r.count; rest > 0;) {
+      const std::uint32_t half = rest / 2;
+      if ((splits.codes[r.first + low + half] & bit) == 0) {
+        low += half + 1;
+        rest -= half + 1;
+      } else {
+        rest = half;
       }
     }
-    second = {r.first + low, r.count - low};
-    r.count = low;
   }
-
-private:
-  static constexpr std::uint32_t spread(std::uint32_t x) noexcept {  // two zeros before each of 10 bits
-    x = (x | x << 16) & 0x030000ff;
-    x = (x | x << 8) & 0x0300f00f;
-    x = (x | x << 4) & 0x030c30c3;
-    return (x | x << 2) & 0x09249249;
-  }
-
-  // The places in the upper halves, the items' in the lower, by place.
-  static constexpr std::vector<std::uint64_t> sorted_keys(const std::vector<Item>& items) {
-    const Item centres = centres_round(items, 0, items.size());
-    float least[4]{}, gain[4]{};
-    for (int i = 0; i < 3; ++i) {
-      const float extent = 0.0f - centres.v[4 + i] - centres.v[i];
-      least[i] = centres.v[i];
-      gain[i] = extent > 0 ? 1024.0f / extent : 0.0f;
-    }
-    std::vector<std::uint64_t> keys(items.size(), std::uint64_t{0}), other(items.size(), std::uint64_t{0});
-    std::uint32_t starts[3][1024]{};
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      std::int32_t bin[4];
-      bins_kernel(bin, items[i].v, least, gain, 1023);
-      const std::uint32_t code = spread(static_cast<std::uint32_t>(bin[0])) << 2 |
-                                 spread(static_cast<std::uint32_t>(bin[1])) << 1 |
-                                 spread(static_cast<std::uint32_t>(bin[2]));
-      keys[i] = std::uint64_t{code} << 32 | i;
-      for (int digit = 0; digit < 3; ++digit) ++starts[digit][code >> (10 * digit) & 1023];
-    }
-    for (int digit = 0; digit < 3; ++digit) {
-      std::uint32_t before = 0;
-      for (std::uint32_t& start : starts[digit]) before += std::exchange(start, before);
-      for (const std::uint64_t key : keys) other[starts[digit][key >> (32 + 10 * digit) & 1023]++] = key;
-      keys.swap(other);
-    }
-    return keys;
-  }
-
-  std::vector<Item> items_;
-  std::vector<std::uint32_t> codes_;
-};
+  second = {r.first + low, r.count - low};
+  r.count = low;
+}
 
 // Ranges of at most so many primitives are built by tasks.
 inline constexpr std::size_t bvh_grain = 8192;
 
-/// needs   items; numbers below 2^32
+// needs   items; numbers below 2^32
 template <class E>
-constexpr void build_by_area(bvh& tree, std::vector<bvh_item>& items, int bins, const E& executor) {
+constexpr void build_by_area(bvh& tree, std::vector<bvh_item>&& items, int bins, const E& executor) {
   const auto count = static_cast<std::uint32_t>(items.size());
-  area_splits<bvh_item> source(items, bins);
-  bvh_grower<area_splits<bvh_item>>(source, tree, bvh_grain)({0, count, 0, count, 0, 0, 0}, executor);
+  area_splits<uncut> source = make_area_splits(std::move(items), bins, uncut{});
+  grow_tree(source, tree, {0, count, 0, count, 0, 0, 0}, bvh_grain, executor);
 }
 
 template <class E>
 constexpr void build_by_morton(bvh& tree, const std::vector<bvh_item>& items, const E& executor) {
-  morton_splits<bvh_item> source(items);
-  bvh_grower<morton_splits<bvh_item>>(source, tree, bvh_grain)({0, static_cast<std::uint32_t>(items.size())}, executor);
+  morton_splits<bvh_item> source = make_morton_splits(items);
+  grow_tree(source, tree, {0, static_cast<std::uint32_t>(items.size())}, bvh_grain, executor);
 }
 
 // Building a bvh whose primitives may be cut: in several leaves, each time in a box round a part of them.
@@ -167,9 +179,9 @@ constexpr void build_by_morton(bvh& tree, const std::vector<bvh_item>& items, co
 struct box_cut {
   static constexpr bool cuts = true;
 
-  template <class Item>
-  constexpr void operator()(const Item& whole, int axis, float plane, Item& low, Item& high) const noexcept {
-    const Item from = whole;
+  constexpr void operator()(const bvh_item& whole, int axis, float plane, bvh_item& low,
+                            bvh_item& high) const noexcept {
+    const bvh_item from = whole;
     low = high = from;
     low.v[4 + axis] = greater(from.v[4 + axis], 0.0f - plane);
     high.v[axis] = greater(from.v[axis], plane);
@@ -187,10 +199,10 @@ struct triangle_cut {
   const At& at;
   double scale;
 
-  template <class Item>
-  constexpr void operator()(const Item& whole, int axis, float plane, Item& low, Item& high) const noexcept {
+  constexpr void operator()(const bvh_item& whole, int axis, float plane, bvh_item& low,
+                            bvh_item& high) const noexcept {
     constexpr double slack = 0x1p-48;
-    const Item from = whole;
+    const bvh_item from = whole;
     const auto& triangle = at(number_of(from));
     const double x = widened(plane);
     double corner[3][3]{};
@@ -228,8 +240,7 @@ private:
   };
 
   // What a part has in common with the whole.
-  template <class Item>
-  static constexpr void limit(Item& part, const Item& from, const extent& e) noexcept {
+  static constexpr void limit(bvh_item& part, const bvh_item& from, const extent& e) noexcept {
     part = from;
     for (int k = 0; k < 3; ++k) {
       part.v[k] = greater(from.v[k], float_below(e.low[k]));
@@ -264,17 +275,16 @@ struct cut_limits {
 };
 
 template <class Cut, class E>
-constexpr void build_by_cuts(bvh& tree, std::vector<bvh_item>& items, const cut_limits& limits, const Cut& cut,
+constexpr void build_by_cuts(bvh& tree, std::vector<bvh_item>&& items, const cut_limits& limits, const Cut& cut,
                              const E& executor) {
   bvh_item all = empty_item();
   for (const bvh_item& i : items) grow(all, i);
   const std::size_t held = items.size();
   const double spare = clamp(widened(limits.spare), 0.0, 4.0);
   items.resize(held + static_cast<std::size_t>(static_cast<double>(held) * spare), bvh_item{});
-  using splits = area_splits<bvh_item, Cut>;
-  splits source(items, limits.bins, cut, limits.overlap * area_of(all));
-  bvh_grower<splits>(source, tree, bvh_grain)(
-      {0, static_cast<std::uint32_t>(items.size()), 0, static_cast<std::uint32_t>(held), 0, 0, 0}, executor);
+  const auto places = static_cast<std::uint32_t>(items.size()), count = static_cast<std::uint32_t>(held);
+  area_splits<Cut> source = make_area_splits(std::move(items), limits.bins, cut, limits.overlap * area_of(all));
+  grow_tree(source, tree, {0, places, 0, count, 0, 0, 0}, bvh_grain, executor);
   list_references(tree, limits.primitives, held);
 }
 
@@ -289,9 +299,10 @@ constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_config& con
   if (config.method == bvh_method::morton)
     build_by_morton(tree, items, executor);
   else if (config.method == bvh_method::surface_area)
-    build_by_area(tree, items, bins, executor);
+    build_by_area(tree, std::move(items), bins, executor);
   else
-    build_by_cuts(tree, items, {boxes.size(), bins, config.spare, config.overlap}, make_cut(tree.scale), executor);
+    build_by_cuts(tree, std::move(items), {boxes.size(), bins, config.spare, config.overlap}, make_cut(tree.scale),
+                  executor);
   return tree;
 }
 

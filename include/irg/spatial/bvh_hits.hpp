@@ -58,9 +58,9 @@ inline namespace IRG_ABI {
 ///         farther than what is nearest, but no more, before what is nearer
 /// cost    some log n boxes and primitives; nothing allocated. With ray_counts, what the ray asked is added to them;
 ///         they cost nothing where they are not asked for
-template <Floating T, RayTest<T> Test, detail::RayCounts C = const detail::uncounted>
+template <Floating T, RayTest<T> Test, RayCounts C = const uncounted_rays>
 [[nodiscard]] constexpr std::optional<primitive_hit<T>> closest_hit(const bvh& tree, const ray<T, 3>& r,
-                                                                    const Test& test, C& counts = detail::not_counted) {
+                                                                    const Test& test, C& counts = not_counted) {
   detail::count_rays(counts, 1);
   detail::box_ray b;
   if (!detail::set_box_ray(b, r, tree.scale)) return std::nullopt;
@@ -86,9 +86,8 @@ template <Floating T, RayTest<T> Test, detail::RayCounts C = const detail::uncou
 /// Whether the ray meets a primitive.
 /// exact   no primitive is missed whose box the ray meets
 /// cost    as closest_hit, and as a rule less
-template <Floating T, RayTest<T> Test, detail::RayCounts C = const detail::uncounted>
-[[nodiscard]] constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test,
-                                     C& counts = detail::not_counted) {
+template <Floating T, RayTest<T> Test, RayCounts C = const uncounted_rays>
+[[nodiscard]] constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test, C& counts = not_counted) {
   detail::count_rays(counts, 1);
   detail::box_ray b;
   if (!detail::set_box_ray(b, r, tree.scale)) return false;
@@ -102,9 +101,8 @@ template <Floating T, RayTest<T> Test, detail::RayCounts C = const detail::uncou
 /// All primitives that the ray meets, each once, into sink(hit), in no order that is promised.
 /// exact   as any_hit
 /// cost    as closest_hit; without limit to what is nearest
-template <Floating T, RayTest<T> Test, class Sink, detail::RayCounts C = const detail::uncounted>
-constexpr void all_hits(const bvh& tree, const ray<T, 3>& r, const Test& test, Sink&& sink,
-                        C& counts = detail::not_counted) {
+template <Floating T, RayTest<T> Test, class Sink, RayCounts C = const uncounted_rays>
+constexpr void all_hits(const bvh& tree, const ray<T, 3>& r, const Test& test, Sink&& sink, C& counts = not_counted) {
   detail::count_rays(counts, 1);
   detail::box_ray b;
   if (!detail::set_box_ray(b, r, tree.scale)) return;

@@ -2,6 +2,7 @@
 // What a bvh is made of.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -70,5 +71,13 @@ struct ray_counts {
   std::uint64_t primitives = 0;  // in these leaves
   constexpr bool operator==(const ray_counts&) const = default;
 };
+
+/// Stands for ray_counts where nobody asks for them: no code is made.
+struct uncounted_rays {};
+inline constexpr uncounted_rays not_counted{};
+
+/// Where rays are counted, or not.
+template <class C>
+concept RayCounts = std::same_as<C, ray_counts> || std::same_as<C, const uncounted_rays>;
 
 }  // namespace irg

@@ -147,9 +147,9 @@ inline namespace IRG_ABI {
 ///         weights as there. The same for every tree over these triangles
 /// cost    some log n boxes and triangles; nothing allocated. With ray_counts, what the ray asked is added to them;
 ///         they cost nothing where they are not asked for
-template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
+template <Floating T, Floating U, RayCounts C = const uncounted_rays>
 [[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                                                C& counts = detail::not_counted) noexcept;
+                                                                C& counts = not_counted) noexcept;
 
 /// The triangles that rays cross first, hits[i] that of rays[i].
 /// shape   rays that follow each other should start near each other and go about the same way, as those of a square of
@@ -158,27 +158,26 @@ template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
 /// exact   the same, bit for bit, as closest_hit of each ray
 /// cost    of 16 such rays some three times that of one; of others, that of each. ray_counts count once what 16 rays
 ///         come to as one
-template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
+template <Floating T, Floating U, RayCounts C = const uncounted_rays>
 constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
-                            std::span<std::optional<triangle_hit>> hits, C& counts = detail::not_counted);
+                            std::span<std::optional<triangle_hit>> hits, C& counts = not_counted);
 
 /// Whether the ray crosses a triangle; with `admits`, one of those for which admits(number) holds.
 /// exact   as closest_hit
 /// cost    as closest_hit, and as a rule less
-template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, detail::RayCounts C = const detail::uncounted>
+template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, RayCounts C = const uncounted_rays>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Admits& admits,
-                                     C& counts = detail::not_counted);
-template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
+                                     C& counts = not_counted);
+template <Floating T, Floating U, RayCounts C = const uncounted_rays>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                     C& counts = detail::not_counted) noexcept;
+                                     C& counts = not_counted) noexcept;
 
 /// All triangles that the ray crosses, each once, into sink(hit), in no order that is promised.
 /// gives   of a closed surface, as many as an origin in general position would: an odd number from inside to infinity
 /// exact   as closest_hit
 /// cost    as closest_hit; without limit to what is nearest
-template <Floating T, Floating U, class Sink, detail::RayCounts C = const detail::uncounted>
-constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink,
-                        C& counts = detail::not_counted);
+template <Floating T, Floating U, class Sink, RayCounts C = const uncounted_rays>
+constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink, C& counts = not_counted);
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -485,7 +484,7 @@ constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>>
 
 namespace irg::inline IRG_ABI {
 
-template <Floating T, Floating U, detail::RayCounts C>
+template <Floating T, Floating U, RayCounts C>
 [[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
                                                                 C& counts) noexcept {
   std::optional<triangle_hit> hit;
@@ -497,7 +496,7 @@ template <Floating T, Floating U, detail::RayCounts C>
   return hit;
 }
 
-template <Floating T, Floating U, detail::RayCounts C>
+template <Floating T, Floating U, RayCounts C>
 constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
                             std::span<std::optional<triangle_hit>> hits, C& counts) {
   IRG_EXPECTS(rays.size() == hits.size());
@@ -520,18 +519,18 @@ constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ra
   }
 }
 
-template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, detail::RayCounts C>
+template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, RayCounts C>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Admits& admits,
                                      C& counts) {
   return detail::crosses_any(triangles.tree(), detail::triangle_blocks::of(triangles), r, counts, admits);
 }
 
-template <Floating T, Floating U, detail::RayCounts C>
+template <Floating T, Floating U, RayCounts C>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, C& counts) noexcept {
   return any_hit(triangles, r, [](std::uint32_t) { return true; }, counts);
 }
 
-template <Floating T, Floating U, class Sink, detail::RayCounts C>
+template <Floating T, Floating U, class Sink, RayCounts C>
 constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink, C& counts) {
   detail::each_crossing(
       triangles.tree(), detail::triangle_blocks::of(triangles), r, counts,

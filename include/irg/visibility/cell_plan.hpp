@@ -176,6 +176,38 @@ private:
   std::vector<doorway<T>> doors_;
 };
 
+}  // namespace IRG_ABI
+
+namespace detail::inline IRG_ABI {
+
+// Follows all ways through doors that enter(door) lets pass, depth first; leave() takes the last door back. False when
+// more than most_doors were asked.
+// shape   doors(cell): the doors of a cell, which lead `to` another one
+template <class Doors, class Enter, class Leave>
+constexpr bool walk_ways(std::uint32_t cell, std::uint64_t most_doors, const Doors& doors, const Enter& enter,
+                         const Leave& leave) {
+  struct step {
+    std::uint32_t cell;
+    std::size_t next_door;
+  };
+  std::vector<step> way(1, step{cell, 0});
+  for (std::uint64_t count = 0; !way.empty();) {
+    const auto& ahead = doors(way.back().cell);
+    if (way.back().next_door == ahead.size()) {
+      way.pop_back();
+      if (!way.empty()) leave();
+      continue;
+    }
+    if (count++ == most_doors) return false;
+    if (const auto& door = ahead[way.back().next_door++]; enter(door)) way.push_back({door.to, 0});
+  }
+  return true;
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
 /// The first thing that is wrong with a plan, cells first; `none` when its portals and cells keep what cell_plan says.
 /// exact   for all coordinates, infinities and NaN included
 /// cost    the corners of both cells for each portal, and for each cell the square of its portals; allocates for their

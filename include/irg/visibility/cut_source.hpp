@@ -14,6 +14,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/math/vec.hpp>
+#include <irg/visibility/detail/turn_between.hpp>
 
 namespace irg {
 
@@ -69,10 +70,6 @@ private:
     chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(i) + 1, p);
   }
 
-  static constexpr bool crosses(const segment<T, 2>& e, const segment<T, 2>& o) noexcept {
-    return orient2d(e.a, e.b, o.a) * orient2d(e.a, e.b, o.b) < 0 &&
-           orient2d(o.a, o.b, e.a) * orient2d(o.a, o.b, e.b) < 0;
-  }
   static constexpr bool holds_within(const segment<T, 2>& e, const point<T, 2>& p) noexcept {
     return orient2d(e.a, e.b, p) == 0 && compare_lexicographic(e.a, p) * compare_lexicographic(p, e.b) > 0;
   }
@@ -95,7 +92,7 @@ private:
     const segment<T, 2> o = obstacles[k];
     for (std::size_t i = 0; i < edge_count(); ++i) {
       const segment<T, 2> e = edge(i);
-      if (!crosses(e, o)) continue;
+      if (!cross_properly(e, o)) continue;
       const point<T, 2> at = *crossing_point(e, o);
       if (!(at == e.a) && !(at == e.b)) {
         add_corner(i, at);

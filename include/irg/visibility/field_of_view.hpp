@@ -73,8 +73,8 @@ inline namespace IRG_ABI {
 /// cost    in the plane: a few operations per row and gap between what blocks, and per word of 64 cells that are seen;
 ///         in space: a few per row of each sector that is wholly open, see() for cells at borders of what is hidden.
 ///         With a counted_view_memory also a few per cell of the map
-template <std::same_as<walled_grid> Map, std::derived_from<view_memory> Memory>
-constexpr void add_field_of_view(const Map& map, const cell3& viewer, cell_grid& seen, Memory& memory,
+template <std::derived_from<view_memory> Memory>
+constexpr void add_field_of_view(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
                                  const view_options& o = {});
 
 /// The cells that any of the viewers sees.
@@ -448,8 +448,8 @@ constexpr void sweep(const walled_grid& map, const cell3& viewer, const view_opt
 
 inline namespace IRG_ABI {
 
-template <std::same_as<walled_grid> Map, std::derived_from<view_memory> Memory>
-constexpr void add_field_of_view(const Map& map, const cell3& viewer, cell_grid& seen, Memory& memory,
+template <std::derived_from<view_memory> Memory>
+constexpr void add_field_of_view(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
                                  const view_options& o) {
   IRG_EXPECTS(seen.extent() == map.extent());
   if (!map.extent().holds(viewer) || o.radius < 0) return;

@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/geometry/compare.hpp>
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
 #include <irg/math/vec.hpp>
-#include <irg/visibility/detail/finite_point.hpp>
 #include <irg/visibility/detail/sight_arrangement.hpp>
-#include <irg/visibility/detail/sight_envelope.hpp>
 #include <irg/visibility/detail/source_view.hpp>
 
 namespace irg {
@@ -108,8 +108,7 @@ private:
 
   constexpr guard_status read(std::span<const std::vector<point<T, 2>>> rings) {
     for (const auto& r : rings)
-      for (const auto& p : r)
-        if (!is_finite_sight_point(p)) return guard_status::not_finite;
+      if (!is_finite(r)) return guard_status::not_finite;
     std::vector<std::vector<corner>> list;
     std::size_t number = 0;
     for (const auto& r : rings) {
@@ -185,10 +184,10 @@ private:
     for (const corner& g : corners_) {
       view.source.assign(1, g.at);
       for (const corner& v : corners_)
-        if (!(g.at == v.at) && is_reflex(v) && view.matters_beyond(g.at, v.at))
+        if (!(g.at == v.at) && is_reflex(v) && matters_beyond(view, g.at, v.at))
           parts_of_plan_.cuts.push_back({{g.at, v.at}, true, false});
     }
-    parts_of_plan_.build(extent_);
+    build_arrangement(parts_of_plan_, extent_);
   }
 
   // Notes the ways of some rings through the place of a corner.
@@ -196,7 +195,7 @@ private:
     for (const corner& o : rings) {
       if (o.at == c.at) c.here.push_back(o);
       if (!(o.before == c.at) && !(o.at == c.at) && orient2d(o.before, o.at, c.at) == 0 &&
-          lies_within(o.before, o.at, c.at))
+          is_between_ends(o.before, o.at, c.at))
         c.here.push_back({o.before, c.at, o.at});
     }
     c.most = 1;  // a way has the inside on its left
@@ -240,7 +239,7 @@ private:
         k = edges[k].next;
       } while (k != e);
       const auto side = [&](const point<T, 2>& u, const point<T, 2>& v) {
-        return parts_of_plan_.side_beside(best, u, v);
+        return side_beside(parts_of_plan_, best, u, v);
       };
       const auto on_left = [&](const bend& b) {
         const bool left_of_in = side(b.before, b.at) > 0, left_of_out = side(b.at, b.after) > 0;
@@ -250,7 +249,7 @@ private:
       for (std::uint32_t i = 0; i < corners_.size(); ++i) {
         if (!leads_inside(corners_[i], on_left)) continue;
         view.source.assign(1, corners_[i].at);
-        if (view.share(side) == seen_share::all) found.seers.push_back(i);
+        if (share_seen(view, side) == seen_share::all) found.seers.push_back(i);
       }
       if (!found.seers.empty()) parts_.push_back(std::move(found));
     }

@@ -110,65 +110,19 @@ private:
 
 namespace detail::inline IRG_ABI {
 
-template <class T>
-class visible_set_search {
-public:
-  constexpr visible_set_search(const portal_graph<T>& graph, std::uint64_t most_doors) noexcept
-      : graph_(graph), most_doors_(most_doors) {}
-
-  // Fills the row of a cell; says whether the search came to its end.
-  constexpr bool from(std::uint32_t cell, cell_grid& seen) {
-    const auto row = static_cast<int>(cell);
-    seen.set({row, row, 0});
-    std::uint64_t doors = 0;
-    way_.clear();
-    while (lines_.size() > 0) lines_.leave();
-    way_.push_back({cell, 0});
-    while (!way_.empty()) {
-      place& at = way_.back();
-      const auto ahead = graph_.doors(at.cell);
-      if (at.next == ahead.size()) {
-        way_.pop_back();
-        if (!way_.empty()) lines_.leave();
-        continue;
-      }
-      if (doors++ == most_doors_) return false;
-      const doorway<T>& d = ahead[at.next++];
-      if (!lines_.passes(d)) continue;
-      lines_.enter(d);
-      seen.set({static_cast<int>(d.to), row, 0});
-      way_.push_back({d.to, 0});
-    }
-    return true;
-  }
-
-  // Fills the row of a cell with all that it is connected to.
-  constexpr void connected(std::uint32_t cell, cell_grid& seen) {
-    const auto row = static_cast<int>(cell);
-    std::vector<std::uint32_t> known(graph_.cell_count(), std::uint32_t{0});
-    way_.clear();
-    way_.push_back({cell, 0});
-    known[cell] = 1;
-    while (!way_.empty()) {
-      const std::uint32_t at = way_.back().cell;
-      way_.pop_back();
-      seen.set({static_cast<int>(at), row, 0});
-      for (const doorway<T>& d : graph_.doors(at))
-        if (known[d.to] == 0) known[d.to] = 1, way_.push_back({d.to, 0});
-    }
-  }
-
-private:
-  struct place {
-    std::uint32_t cell = 0;
-    std::uint32_t next = 0;
-  };
-
-  const portal_graph<T>& graph_;
-  std::uint64_t most_doors_;
-  std::vector<place> way_;
-  stabbing_lines<T> lines_;
-};
+// Marks the cells that at most so many portals lead to from the cell of a row; none is marked before.
+template <Floating T>
+constexpr void mark_connected(const portal_graph<T>& graph, int row, std::uint32_t most_portals, cell_grid& seen) {
+  std::vector<std::uint32_t> reached(1, static_cast<std::uint32_t>(row));
+  seen.set({row, row, 0});
+  for (std::size_t first = 0, depth = 0; first < reached.size() && depth < most_portals; ++depth)
+    for (const std::size_t last = reached.size(); first < last; ++first)
+      for (const doorway<T>& d : graph.doors(reached[first]))
+        if (const cell3 at{static_cast<int>(d.to), row, 0}; !seen.is_full(at)) {
+          seen.set(at);
+          reached.push_back(d.to);
+        }
+}
 
 }  // namespace detail::inline IRG_ABI
 
@@ -189,12 +143,24 @@ template <Floating T>
                                                          const visible_set_options& options = {}) {
   const auto cells = static_cast<int>(graph.cell_count());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
-  detail::visible_set_search<T> search(graph, options.most_doors);
-  for (std::uint32_t c = 0; c < graph.cell_count(); ++c)
-    if (!search.from(c, out.seen)) {
-      search.connected(c, out.seen);
-      ++out.unfinished;
-    }
+  stabbing_lines<T> lines;
+  for (int row = 0; row < cells; ++row) {
+    const auto enter = [&](const doorway<T>& d) {
+      if (!lines.passes(d)) return false;
+      lines.enter(d);
+      out.seen.set({static_cast<int>(d.to), row, 0});
+      return true;
+    };
+    out.seen.set({row, row, 0});
+    if (detail::walk_ways(
+            static_cast<std::uint32_t>(row), options.most_doors, [&](std::uint32_t c) { return graph.doors(c); }, enter,
+            [&] { lines.leave(); }))
+      continue;
+    while (lines.size() > 0) lines.leave();
+    for (int c = 0; c < cells; ++c) out.seen.set({c, row, 0}, false);
+    detail::mark_connected(graph, row, no_index, out.seen);
+    ++out.unfinished;
+  }
   return out;
 }
 
@@ -213,17 +179,7 @@ template <Floating T>
 [[nodiscard]] constexpr visible_sets connected_cells(const portal_graph<T>& graph, std::uint32_t most_portals) {
   const auto cells = static_cast<int>(graph.cell_count());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
-  for (int row = 0; row < cells; ++row) {
-    std::vector<std::uint32_t> reached(1, static_cast<std::uint32_t>(row));
-    out.seen.set({row, row, 0});
-    for (std::size_t first = 0, depth = 0; first < reached.size() && depth < most_portals; ++depth)
-      for (const std::size_t last = reached.size(); first < last; ++first)
-        for (const doorway<T>& d : graph.doors(reached[first]))
-          if (const cell3 at{static_cast<int>(d.to), row, 0}; !out.seen.is_full(at)) {
-            out.seen.set(at);
-            reached.push_back(d.to);
-          }
-  }
+  for (int row = 0; row < cells; ++row) detail::mark_connected(graph, row, most_portals, out.seen);
   return out;
 }
 

@@ -11,12 +11,12 @@
 #include <type_traits>
 #include <vector>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/core/vocabulary.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/vocabulary.hpp>
-#include <irg/visibility/detail/finite_point.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
 
 namespace irg {
@@ -36,9 +36,8 @@ public:
   /// cost    sorts the walls into about as many tiles; allocates
   constexpr prepared_walls(std::span<const std::type_identity_t<segment<T, 2>>> walls, const box<T, 2>& domain)
       : walls_(walls.begin(), walls.end()), domain_(domain) {
-    for (const auto& w : walls_)
-      is_finite_ = is_finite_ && detail::is_finite_sight_point(w.a) && detail::is_finite_sight_point(w.b);
-    if (!is_finite_) return;
+    for (const auto& w : walls_) all_finite_ = all_finite_ && is_finite(w.a, w.b);
+    if (!all_finite_) return;
     tiles_ = detail::wall_tiles<T>(walls_, domain);
     numbers_ = tiles_.renumber(walls_.size());
     tiled_.reserve(walls_.size());
@@ -78,7 +77,7 @@ private:
   std::vector<std::uint32_t> numbers_{};  // which they are of the walls
   box<T, 2> domain_;
   detail::wall_tiles<T> tiles_{};
-  bool is_finite_ = true;
+  bool all_finite_ = true;
 };
 
 }  // namespace IRG_ABI
@@ -224,31 +223,22 @@ private:
 // wall within the rings before covers. Too many walls, never too few: directions are rounded, and what they cover is
 // drawn in by more than that, but where two walls meet in one point.
 template <Floating T>
-class wall_horizon {
+class occlusion_horizon {
 public:
-  constexpr wall_horizon(const wall_tiles<T>& tiles, std::span<const segment<T, 2>> walls, const point<T, 2>& source)
-      : tiles_(tiles), walls_(walls), source_(source), state_(walls.size(), unknown) {
-    for (int axis = 0; axis < 2; ++axis) {
-      const double from = tiles.place_in_tiles(axis, source[axis]);
-      is_near_ = is_near_ && -most_tiles < from && from < most_tiles;
-      if (!is_near_) return;
-      const int last = tiles.size(axis) - 1;
-      cell_[axis] = from == last + 1 ? last : whole(from);
-      within_[axis] = from - cell_[axis];
-    }
-    open_.push_back({0, 8});
-  }
+  constexpr occlusion_horizon(const wall_tiles<T>& tiles, std::span<const segment<T, 2>> walls,
+                              const point<T, 2>& source)
+      : tiles_(tiles), walls_(walls), source_(source), state_(walls.size(), unknown) {}
 
   // The numbers of the walls; false when they are more than so many, or the source is too far away.
   constexpr bool find(std::size_t most, std::vector<std::uint32_t>& out) {
-    if (!is_near_) return false;
+    if (!find_own_tile()) return false;
     int ring = 0, last = 0;
     for (int axis = 0; axis < 2; ++axis) {
       const int beyond = cell_[axis] - tiles_.size(axis) + 1;
       ring = greater(ring, greater(-cell_[axis], beyond));
       last = greater(last, greater(cell_[axis], -beyond));
     }
-    for (; ring <= last && !open_.empty(); ++ring) {
+    for (open_.push_back({0, 8}); ring <= last && !open_.empty(); ++ring) {
       for (const arc& a : open_) look_along(ring, a);
       if (found_.size() > most) return false;
       cover(ring);
@@ -277,12 +267,25 @@ private:
   std::vector<std::uint8_t> state_;
   double within_[2]{};  // its tile
   int cell_[2]{};
-  bool is_near_ = true, is_narrow_ = false;
+  bool is_narrow_ = false;
   place right_{}, left_{};  // limits of the directions that are looked in
   std::vector<arc> open_{}, covered_{}, left_open_{};
   std::vector<std::uint32_t> found_{}, pending_{};
 
   static constexpr int whole(double x) noexcept { return static_cast<int>(x + 0x1p24) - (1 << 24); }
+
+  // The tile of the source; false where that is too far away.
+  constexpr bool find_own_tile() noexcept {
+    for (int axis = 0; axis < 2; ++axis) {
+      const double from = tiles_.place_in_tiles(axis, source_[axis]);
+      if (!(-most_tiles < from && from < most_tiles)) return false;
+      const int last = tiles_.size(axis) - 1;
+      cell_[axis] = from == last + 1 ? last : whole(from);
+      within_[axis] = from - cell_[axis];
+    }
+    return true;
+  }
+
   constexpr place place_of(const point<T, 2>& p) const noexcept {
     return {tiles_.distance_in_tiles(0, source_.x, p.x), tiles_.distance_in_tiles(1, source_.y, p.y)};
   }
@@ -478,11 +481,12 @@ inline namespace IRG_ABI {
 template <Floating T>
 template <class Polygon>
 constexpr visible_region<T> prepared_walls<T>::look(const point<T, 2>& source, const Polygon& polygon) const {
-  if (!is_finite_) return polygon(walls_);  // says what comes first
+  if (!all_finite_) return polygon(walls_);  // says what comes first
   visible_region<T> seen = visibility_polygon(source, domain_);
   if (seen.ring.empty()) return seen;
   std::vector<std::uint32_t> nearby;
-  if (tiles_.count() == 1 || !detail::wall_horizon<T>(tiles_, tiled_, source).find(64 + walls_.size() / 16, nearby))
+  if (tiles_.count() == 1 ||
+      !detail::occlusion_horizon<T>(tiles_, tiled_, source).find(64 + walls_.size() / 16, nearby))
     return polygon(walls_);
   for (std::uint32_t& w : nearby) w = numbers_[w];
   std::sort(nearby.begin(), nearby.end());

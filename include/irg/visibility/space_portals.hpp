@@ -68,76 +68,62 @@ struct space_doorway {
   std::vector<point<T, 3>> ring{};
 };
 
-// Ways through doors that some straight line may pass.
+// The doors of each cell.
 template <Floating T>
-class space_walk {
-public:
-  constexpr explicit space_walk(const space_plan<T>& plan)
-      : doors_(plan.cells.size(), std::vector<space_doorway<T>>{}) {
-    for (const auto& p : plan.portals) {
-      std::vector<point<T, 3>> ring;
-      for (const auto& v : p.ring)
-        if (ring.empty() || (!(v == ring.back()) && !(v == ring[0]))) ring.push_back(v);
-      if (ring.size() < 3) continue;
-      doors_[p.first].push_back({p.second, ring});
-      std::reverse(ring.begin(), ring.begin() + 3);  // its first three corners tell its plane, the last may not
-      std::reverse(ring.begin() + 3, ring.end());
-      doors_[p.second].push_back({p.first, static_cast<std::vector<point<T, 3>>&&>(ring)});
-    }
-  }
+using space_doors = std::vector<std::vector<space_doorway<T>>>;
 
-  // Calls sink(cell) for each cell on a way; may_pass(passed, door) says whether it goes on. False when more than
-  // most_doors were looked at.
-  template <class MayPass, class Sink>
-  constexpr bool from(std::uint32_t cell, std::uint64_t most_doors, const MayPass& may_pass, const Sink& sink) const {
-    std::vector<way_step> way(1, way_step{cell, 0});
-    std::vector<const space_doorway<T>*> passed;
-    sink(cell);
-    for (std::uint64_t count = 0; !way.empty();) {
-      const std::uint32_t at = way.back().cell;
-      if (way.back().next_door == doors_[at].size()) {
-        way.pop_back();
-        if (!way.empty()) passed.pop_back();
-        continue;
-      }
-      if (count++ == most_doors) return false;
-      const space_doorway<T>& d = doors_[at][way.back().next_door++];
-      if (!may_pass(passed, d)) continue;
-      passed.push_back(&d);
-      way.push_back({d.to, 0});
-      sink(d.to);
-    }
+template <Floating T>
+constexpr space_doors<T> doors_of(const space_plan<T>& plan) {
+  space_doors<T> doors(plan.cells.size(), std::vector<space_doorway<T>>{});
+  for (const auto& p : plan.portals) {
+    std::vector<point<T, 3>> ring;
+    for (const auto& v : p.ring)
+      if (ring.empty() || (!(v == ring.back()) && !(v == ring[0]))) ring.push_back(v);
+    if (ring.size() < 3) continue;
+    doors[p.first].push_back({p.second, ring});
+    std::reverse(ring.begin(), ring.begin() + 3);  // its first three corners tell its plane, the last may not
+    std::reverse(ring.begin() + 3, ring.end());
+    doors[p.second].push_back({p.first, std::move(ring)});
+  }
+  return doors;
+}
+
+// Calls sink(cell) for each cell on a way; may_pass(passed, door) says whether it goes on. False when more than
+// most_doors were looked at.
+template <Floating T, class MayPass, class Sink>
+constexpr bool walk_doors(const space_doors<T>& doors, std::uint32_t cell, std::uint64_t most_doors,
+                          const MayPass& may_pass, const Sink& sink) {
+  std::vector<const space_doorway<T>*> passed;
+  sink(cell);
+  const auto enter = [&](const space_doorway<T>& d) {
+    if (!may_pass(passed, d)) return false;
+    passed.push_back(&d);
+    sink(d.to);
     return true;
-  }
-
-  // Whether each two of some doors and one more may be passed by a line.
-  static constexpr bool face_each_other(const std::vector<const space_doorway<T>*>& passed,
-                                        const space_doorway<T>& d) noexcept {
-    for (const auto* before : passed)
-      if (are_on_side<T>(before->ring, d.ring, 1) || are_on_side<T>(d.ring, before->ring, -1)) return false;
-    return true;
-  }
-  // Whether no door misses the hull of one before it and one after them all.
-  static constexpr bool meet_hulls(const std::vector<const space_doorway<T>*>& passed, const space_doorway<T>& d) {
-    for (std::size_t i = 0; i + 1 < passed.size(); ++i) {
-      std::vector<point<T, 3>> both = passed[i]->ring;
-      both.insert(both.end(), d.ring.begin(), d.ring.end());
-      for (std::size_t k = i + 1; k < passed.size(); ++k)
-        if (are_parted<T>(both, passed[k]->ring)) return false;
-    }
-    return true;
-  }
-
-  constexpr const std::vector<space_doorway<T>>& doors(std::uint32_t cell) const noexcept { return doors_[cell]; }
-
-private:
-  struct way_step {
-    std::uint32_t cell;
-    std::size_t next_door;
   };
+  const auto doors_of_cell = [&](std::uint32_t c) -> const auto& { return doors[c]; };
+  return walk_ways(cell, most_doors, doors_of_cell, enter, [&] { passed.pop_back(); });
+}
 
-  std::vector<std::vector<space_doorway<T>>> doors_;
-};
+// Whether each two of some doors and one more may be passed by a line.
+template <Floating T>
+constexpr bool face_each_other(const std::vector<const space_doorway<T>*>& passed, const space_doorway<T>& d) noexcept {
+  for (const auto* before : passed)
+    if (are_on_side<T>(before->ring, d.ring, 1) || are_on_side<T>(d.ring, before->ring, -1)) return false;
+  return true;
+}
+
+// Whether no door misses the hull of one before it and one after them all.
+template <Floating T>
+constexpr bool meet_hulls(const std::vector<const space_doorway<T>*>& passed, const space_doorway<T>& d) {
+  for (std::size_t i = 0; i + 1 < passed.size(); ++i) {
+    std::vector<point<T, 3>> both = passed[i]->ring;
+    both.insert(both.end(), d.ring.begin(), d.ring.end());
+    for (std::size_t k = i + 1; k < passed.size(); ++k)
+      if (are_parted<T>(both, passed[k]->ring)) return false;
+  }
+  return true;
+}
 
 // Whether a straight line passes a sequence of flat convex openings within their edges. It joins a place of the first
 // to one of the last; the pairs of places are cut into parts until a line is found, which is proved by exact signs, or
@@ -146,264 +132,273 @@ private:
 // places, so corners of the part tell.
 
 template <Floating T>
-class space_stabbing {
-public:
-  constexpr explicit space_stabbing(std::size_t most_parts) noexcept : most_parts_(most_parts) {}
-
-  constexpr void enter(const std::vector<point<T, 3>>& ring) {
-    opening o;
-    for (const auto& v : ring) o.ring.push_back({widened(v.x), widened(v.y), widened(v.z)});
-    o.is_moderate = choose_axes(o);
-    openings_.push_back(static_cast<opening&&>(o));
-    lines_.push_back(lines_.empty() ? line{} : lines_.back());
-  }
-  constexpr void leave() {
-    openings_.pop_back();
-    lines_.pop_back();
-  }
-
-  constexpr std::size_t size() const noexcept { return openings_.size(); }
-
-  // Whether the line that passed all but the last one passes that, too.
-  constexpr bool is_passed_as_before() const noexcept {
-    return openings_.size() < 2 || (is_moderate() && is_within(lines_.back()));
-  }
-
-  // Whether a line passes them all. Nothing where that was not found out with so many parts, or coordinates are above
-  // 2^300, or all of an opening below 2^-300.
-  constexpr std::optional<bool> is_passed() { return is_moderate() ? search() : std::nullopt; }
-
-private:
-  using place = point<double, 3>;
-  struct opening {
-    std::vector<place> ring{};
-    bool is_moderate = false;
-    int u = 0, v = 1, w = 2;  // in coordinates u and v it has an area, the greatest or nearly
-  };
-  struct line {
-    place from{}, to{};
-  };
-  // Rectangles around parts of the first and the last opening.
-  struct part {
-    double low[2][2]{}, high[2][2]{};
-  };
-
-  std::size_t most_parts_;
-  std::vector<opening> openings_{};
-  std::vector<line> lines_{};  // that pass the openings up to each
-  std::vector<part> parts_{};
-  std::vector<double> most_{};  // a row for each edge, of what corners span with it at most, by columns of pairs
-
-  constexpr bool is_moderate() const noexcept {
-    for (const auto& o : openings_)
-      if (!o.is_moderate) return false;
-    return true;
-  }
-
-  static constexpr double size_of_number(double d) noexcept { return d < 0 ? -d : d; }
-
-  static constexpr bool choose_axes(opening& o) noexcept {
-    double greatest = 0, area = -1;
-    for (const auto& v : o.ring)
-      for (int i = 0; i < 3; ++i) greatest = greater(greatest, size_of_number(v[i]));
-    if (!(0x1p-300 < greatest && greatest < 0x1p300)) return false;
-    for (int w = 0; w < 3; ++w) {
-      const int u = (w + 1) % 3, v = (w + 2) % 3;
-      double twice = 0;
-      for (std::size_t i = 1; i + 1 < o.ring.size(); ++i) {
-        const place &p = o.ring[0], &q = o.ring[i], &r = o.ring[i + 1];
-        twice += product(q[u] - p[u], r[v] - p[v]) - product(q[v] - p[v], r[u] - p[u]);
-      }
-      const point<double, 2> a{o.ring[0][u], o.ring[0][v]}, b{o.ring[1][u], o.ring[1][v]},
-          c{o.ring[2][u], o.ring[2][v]};
-      if (orient2d(a, b, c) == 0 || size_of_number(twice) <= area) continue;
-      area = size_of_number(twice);
-      o.u = u, o.v = v, o.w = w;
-    }
-    return area >= 0;
-  }
-
-  // The place of an opening's plane with two of its coordinates, nearly.
-  static constexpr place lifted(const opening& o, double u, double v) noexcept {
-    const place &p = o.ring[0], &q = o.ring[1], &r = o.ring[2];
-    const double qu = q[o.u] - p[o.u], qv = q[o.v] - p[o.v], qw = q[o.w] - p[o.w];
-    const double ru = r[o.u] - p[o.u], rv = r[o.v] - p[o.v], rw = r[o.w] - p[o.w];
-    const double area = product(qu, rv) - product(qv, ru), du = u - p[o.u], dv = v - p[o.v];
-    place out{};
-    out[o.u] = u;
-    out[o.v] = v;
-    out[o.w] = p[o.w];
-    if (area == 0) return out;
-    const double s = (product(du, rv) - product(dv, ru)) / area, t = (product(qu, dv) - product(qv, du)) / area;
-    out[o.w] += product(s, qw) + product(t, rw);
-    return out;
-  }
-
-  // Appends points in whose hull the plane's place is: one, or two on both sides. False when none are found.
-  static constexpr bool add_corner(const opening& o, double u, double v, std::vector<place>& out) {
-    const place at = lifted(o, u, v);
-    const auto side = [&](const place& p) { return orient3d(o.ring[0], o.ring[1], o.ring[2], p); };
-    if (!(size_of_number(at[o.w]) < 0x1p350)) return false;
-    if (side(at) == 0) return out.push_back(at), true;
-    double scale = 0;
-    for (const auto& p : o.ring) scale = greater(scale, size_of_number(p[o.w] - at[o.w]) + size_of_number(p[o.w]));
-    for (double off = 0x1p-51; off < 1; off *= 8) {
-      place above = at, below = at;
-      above[o.w] += off * scale;
-      below[o.w] -= off * scale;
-      if (side(above) * side(below) > 0) continue;
-      out.push_back(below);
-      out.push_back(above);
-      return true;
-    }
-    return false;
-  }
-
-  constexpr const opening& end(int which) const noexcept { return which == 0 ? openings_.front() : openings_.back(); }
-
-  constexpr line middle_of(const part& p) const noexcept {
-    const auto middle = [&](int which) {
-      return lifted(end(which), halfway(p.low[which][0], p.high[which][0]), halfway(p.low[which][1], p.high[which][1]));
-    };
-    return {middle(0), middle(1)};
-  }
-  static constexpr double halfway(double a, double b) noexcept { return a + (b - a) / 2; }
-
-  // Whether a line passes all openings.
-  constexpr bool is_within(const line& l) const noexcept {
-    for (const auto& o : openings_)
-      for (std::size_t i = 0; i < o.ring.size(); ++i)
-        if (orient3d(l.from, o.ring[i + 1 < o.ring.size() ? i + 1 : 0], o.ring[i], l.to) <= 0) return false;
-    return true;
-  }
-
-  // No less than the volume that a line from p to q spans with an edge from a to b, and not above 0 where it is not.
-  static constexpr double most_volume(const place& p, const place& q, const place& a, const place& b) noexcept {
-    double x[3][3]{};
-    for (int i = 0; i < 3; ++i) x[0][i] = b[i] - p[i], x[1][i] = a[i] - p[i], x[2][i] = q[i] - p[i];
-    double sum = 0, size = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double left = product(x[0][(i + 1) % 3], x[1][(i + 2) % 3]);
-      const double right = product(x[0][(i + 2) % 3], x[1][(i + 1) % 3]);
-      sum += product(left - right, x[2][i]);
-      size += product(size_of_number(left) + size_of_number(right), size_of_number(x[2][i]));
-    }
-    const double error = 0x1p-48 * size + 0x1p-1000;  // more than rounding and what is too small for doubles
-    if (sum > error || sum < -error) return sum + error;
-    return orient3d(p, b, a, q) > 0 ? 2 * error : 0;
-  }
-
-  // Whether no line from one list of corners' hull to the other passes all openings, as far as sums of volumes tell;
-  // otherwise a line that may.
-  constexpr bool misses(const std::vector<place>& from, const std::vector<place>& to, line& guess) {
-    const std::size_t columns = from.size() * to.size();
-    std::size_t rows = 0;
-    most_.clear();
-    for (const auto& o : openings_)
-      for (std::size_t i = 0; i < o.ring.size(); ++i, ++rows) {
-        double greatest = 0;
-        bool is_outside = true;
-        for (const auto& p : from)
-          for (const auto& q : to) {
-            most_.push_back(most_volume(p, q, o.ring[i], o.ring[i + 1 < o.ring.size() ? i + 1 : 0]));
-            is_outside = is_outside && most_.back() <= 0;
-            greatest = greater(greatest, size_of_number(most_.back()));
-          }
-        if (is_outside) return true;
-        for (std::size_t c = 0; c < columns; ++c) most_[rows * columns + c] /= greatest;
-      }
-    return sums_to_nothing(rows, columns, from, to, guess);
-  }
-
-  // Two players in turn take the edge that is worst for the corners taken so far, and the corner that is best for the
-  // edges: their shares tend to the sums that tell.
-  // source  Brown 1951
-  constexpr bool sums_to_nothing(std::size_t rows, std::size_t columns, const std::vector<place>& from,
-                                 const std::vector<place>& to, line& guess) const {
-    std::vector<double> of_edges(columns, 0.0), size(columns, 0.0), of_corners(rows, 0.0), share(columns, 0.0);
-    std::size_t corner = 0;
-    for (int turn = 0; turn < 96; ++turn) {
-      share[corner] += 1;
-      std::size_t edge = 0;
-      for (std::size_t r = 0; r < rows; ++r) {
-        of_corners[r] += most_[r * columns + corner];
-        if (of_corners[r] < of_corners[edge]) edge = r;
-      }
-      if (turn > 8 && of_corners[edge] > 0 && turn % 8 == 0) break;
-      bool is_nothing = true;
-      corner = 0;
-      for (std::size_t c = 0; c < columns; ++c) {
-        const double here = most_[edge * columns + c];
-        of_edges[c] += here;
-        size[c] += size_of_number(here);
-        is_nothing = is_nothing && of_edges[c] <= -0x1p-40 * size[c];
-        if (of_edges[c] > of_edges[corner]) corner = c;
-      }
-      if (is_nothing) return true;
-    }
-    guess = {};
-    double all = 0;
-    for (std::size_t c = 0; c < columns; ++c) all += share[c];
-    for (std::size_t c = 0; c < columns; ++c)
-      for (int i = 0; i < 3; ++i) {
-        guess.from[i] += product(share[c] / all, from[c / to.size()][i]);
-        guess.to[i] += product(share[c] / all, to[c % to.size()][i]);
-      }
-    return false;
-  }
-
-  constexpr std::optional<bool> search() {
-    part whole;
-    for (int which = 0; which < 2; ++which) {
-      const opening& o = end(which);
-      for (int k = 0; k < 2; ++k) {
-        const int axis = k == 0 ? o.u : o.v;
-        whole.low[which][k] = whole.high[which][k] = o.ring[0][axis];
-        for (const auto& v : o.ring) {
-          whole.low[which][k] = lesser(whole.low[which][k], v[axis]);
-          whole.high[which][k] = greater(whole.high[which][k], v[axis]);
-        }
-      }
-    }
-    parts_.assign(1, whole);
-    std::vector<place> corners[2];
-    for (std::size_t count = 0; !parts_.empty(); ++count) {
-      if (count == most_parts_) return std::nullopt;
-      const part p = parts_.back();
-      parts_.pop_back();
-      for (int which = 0; which < 2; ++which) {
-        corners[which].clear();
-        for (const double u : {p.low[which][0], p.high[which][0]})
-          for (const double v : {p.low[which][1], p.high[which][1]})
-            if (!add_corner(end(which), u, v, corners[which])) return std::nullopt;
-      }
-      line guess;
-      if (misses(corners[0], corners[1], guess)) continue;
-      for (const line& l : {guess, middle_of(p)})
-        if (is_within(l)) {
-          lines_.back() = l;
-          return true;
-        }
-      if (!cut(p)) return std::nullopt;
-    }
-    return false;
-  }
-
-  // Cuts a part in two where it is widest.
-  constexpr bool cut(const part& p) {
-    int which = 0, k = 0;
-    for (int i = 0; i < 2; ++i)
-      for (int n = 0; n < 2; ++n)
-        if (p.high[i][n] - p.low[i][n] > p.high[which][k] - p.low[which][k]) which = i, k = n;
-    const double at = halfway(p.low[which][k], p.high[which][k]);
-    if (!(p.low[which][k] < at && at < p.high[which][k])) return false;
-    part below = p, above = p;
-    below.high[which][k] = above.low[which][k] = at;
-    parts_.push_back(below);
-    parts_.push_back(above);
-    return true;
-  }
+struct space_opening {
+  std::vector<point<double, 3>> ring{};
+  bool is_moderate = false;
+  int u = 0, v = 1, w = 2;  // in coordinates u and v it has an area, the greatest or nearly
 };
+
+struct space_line {
+  point<double, 3> from{}, to{};
+};
+
+// Rectangles around parts of the first and the last opening.
+struct end_rectangles {
+  double low[2][2]{}, high[2][2]{};
+};
+
+template <Floating T>
+struct space_stabbing {
+  std::size_t most_parts;
+  std::vector<space_opening<T>> openings{};
+  std::vector<space_line> lines{};  // that pass the openings up to each
+  std::vector<end_rectangles> parts{};  // to be searched
+  std::vector<double> most{};  // a row for each edge, of what corners span with it at most, by columns of pairs
+};
+
+template <Floating T>
+constexpr bool are_moderate(const space_stabbing<T>& s) noexcept {
+  for (const auto& o : s.openings)
+    if (!o.is_moderate) return false;
+  return true;
+}
+
+template <Floating T>
+constexpr bool choose_axes(space_opening<T>& o) noexcept {
+  double greatest = 0, area = -1;
+  for (const auto& v : o.ring)
+    for (int i = 0; i < 3; ++i) greatest = greater(greatest, magnitude(v[i]));
+  if (!(0x1p-300 < greatest && greatest < 0x1p300)) return false;
+  for (int w = 0; w < 3; ++w) {
+    const int u = (w + 1) % 3, v = (w + 2) % 3;
+    double twice = 0;
+    for (std::size_t i = 1; i + 1 < o.ring.size(); ++i) {
+      const point<double, 3>&p = o.ring[0], &q = o.ring[i], &r = o.ring[i + 1];
+      twice += product(q[u] - p[u], r[v] - p[v]) - product(q[v] - p[v], r[u] - p[u]);
+    }
+    const point<double, 2> a{o.ring[0][u], o.ring[0][v]}, b{o.ring[1][u], o.ring[1][v]}, c{o.ring[2][u], o.ring[2][v]};
+    if (orient2d(a, b, c) == 0 || magnitude(twice) <= area) continue;
+    area = magnitude(twice);
+    o.u = u, o.v = v, o.w = w;
+  }
+  return area >= 0;
+}
+
+// The place of an opening's plane with two of its coordinates, nearly.
+template <Floating T>
+constexpr point<double, 3> lift(const space_opening<T>& o, double u, double v) noexcept {
+  const point<double, 3>&p = o.ring[0], &q = o.ring[1], &r = o.ring[2];
+  const double qu = q[o.u] - p[o.u], qv = q[o.v] - p[o.v], qw = q[o.w] - p[o.w];
+  const double ru = r[o.u] - p[o.u], rv = r[o.v] - p[o.v], rw = r[o.w] - p[o.w];
+  const double area = product(qu, rv) - product(qv, ru), du = u - p[o.u], dv = v - p[o.v];
+  point<double, 3> out{};
+  out[o.u] = u;
+  out[o.v] = v;
+  out[o.w] = p[o.w];
+  if (area == 0) return out;
+  const double s = (product(du, rv) - product(dv, ru)) / area, t = (product(qu, dv) - product(qv, du)) / area;
+  out[o.w] += product(s, qw) + product(t, rw);
+  return out;
+}
+
+// Appends points in whose hull the plane's place is: one, or two on both sides. False when none are found.
+template <Floating T>
+constexpr bool add_lifted(const space_opening<T>& o, double u, double v, std::vector<point<double, 3>>& out) {
+  const point<double, 3> at = lift(o, u, v);
+  const auto side = [&](const point<double, 3>& p) { return orient3d(o.ring[0], o.ring[1], o.ring[2], p); };
+  if (!(magnitude(at[o.w]) < 0x1p350)) return false;
+  if (side(at) == 0) return out.push_back(at), true;
+  double scale = 0;
+  for (const auto& p : o.ring) scale = greater(scale, magnitude(p[o.w] - at[o.w]) + magnitude(p[o.w]));
+  for (double off = 0x1p-51; off < 1; off *= 8) {
+    point<double, 3> above = at, below = at;
+    above[o.w] += off * scale;
+    below[o.w] -= off * scale;
+    if (side(above) * side(below) > 0) continue;
+    out.push_back(below);
+    out.push_back(above);
+    return true;
+  }
+  return false;
+}
+
+template <Floating T>
+constexpr const space_opening<T>& end_opening(const space_stabbing<T>& s, int which) noexcept {
+  return which == 0 ? s.openings.front() : s.openings.back();
+}
+
+constexpr double halfway(double a, double b) noexcept { return a + (b - a) / 2; }
+
+template <Floating T>
+constexpr space_line middle_line(const space_stabbing<T>& s, const end_rectangles& p) noexcept {
+  const auto middle = [&](int which) {
+    return lift(end_opening(s, which), halfway(p.low[which][0], p.high[which][0]),
+                halfway(p.low[which][1], p.high[which][1]));
+  };
+  return {middle(0), middle(1)};
+}
+
+// Whether a line passes all openings.
+template <Floating T>
+constexpr bool passes_all(const space_stabbing<T>& s, const space_line& l) noexcept {
+  for (const auto& o : s.openings)
+    for (std::size_t i = 0; i < o.ring.size(); ++i)
+      if (orient3d(l.from, o.ring[i + 1 < o.ring.size() ? i + 1 : 0], o.ring[i], l.to) <= 0) return false;
+  return true;
+}
+
+// No less than the volume that a line from p to q spans with an edge from a to b, and not above 0 where it is not.
+template <Floating T>
+constexpr double most_volume(const point<double, 3>& p, const point<double, 3>& q, const point<double, 3>& a,
+                             const point<double, 3>& b) noexcept {
+  double x[3][3]{};
+  for (int i = 0; i < 3; ++i) x[0][i] = b[i] - p[i], x[1][i] = a[i] - p[i], x[2][i] = q[i] - p[i];
+  double sum = 0, size = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double left = product(x[0][(i + 1) % 3], x[1][(i + 2) % 3]);
+    const double right = product(x[0][(i + 2) % 3], x[1][(i + 1) % 3]);
+    sum += product(left - right, x[2][i]);
+    size += product(magnitude(left) + magnitude(right), magnitude(x[2][i]));
+  }
+  const double error = 0x1p-48 * size + 0x1p-1000;  // more than rounding and what is too small for doubles
+  if (sum > error || sum < -error) return sum + error;
+  return orient3d(p, b, a, q) > 0 ? 2 * error : 0;
+}
+
+// Two players in turn take the edge that is worst for the corners taken so far, and the corner that is best for the
+// edges: their shares tend to the sums that tell.
+// source  Brown 1951
+template <Floating T>
+constexpr bool sums_to_nothing(const space_stabbing<T>& s, const std::vector<point<double, 3>>& from,
+                               const std::vector<point<double, 3>>& to, space_line& guess) {
+  const std::size_t columns = from.size() * to.size(), rows = s.most.size() / columns;
+  std::vector<double> of_edges(columns, 0.0), size(columns, 0.0), of_corners(rows, 0.0), share(columns, 0.0);
+  std::size_t corner = 0;
+  for (int turn = 0; turn < 96; ++turn) {
+    share[corner] += 1;
+    std::size_t edge = 0;
+    for (std::size_t r = 0; r < rows; ++r) {
+      of_corners[r] += s.most[r * columns + corner];
+      if (of_corners[r] < of_corners[edge]) edge = r;
+    }
+    if (turn > 8 && of_corners[edge] > 0 && turn % 8 == 0) break;
+    bool is_nothing = true;
+    corner = 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double here = s.most[edge * columns + c];
+      of_edges[c] += here;
+      size[c] += magnitude(here);
+      is_nothing = is_nothing && of_edges[c] <= -0x1p-40 * size[c];
+      if (of_edges[c] > of_edges[corner]) corner = c;
+    }
+    if (is_nothing) return true;
+  }
+  guess = {};
+  double all = 0;
+  for (std::size_t c = 0; c < columns; ++c) all += share[c];
+  for (std::size_t c = 0; c < columns; ++c)
+    for (int i = 0; i < 3; ++i) {
+      guess.from[i] += product(share[c] / all, from[c / to.size()][i]);
+      guess.to[i] += product(share[c] / all, to[c % to.size()][i]);
+    }
+  return false;
+}
+
+// Whether no line from one list of corners' hull to the other passes all openings, as far as sums of volumes tell;
+// otherwise a line that may.
+template <Floating T>
+constexpr bool misses_some(space_stabbing<T>& s, const std::vector<point<double, 3>>& from,
+                           const std::vector<point<double, 3>>& to, space_line& guess) {
+  const std::size_t columns = from.size() * to.size();
+  std::size_t rows = 0;
+  s.most.clear();
+  for (const auto& o : s.openings)
+    for (std::size_t i = 0; i < o.ring.size(); ++i, ++rows) {
+      double greatest = 0;
+      bool is_outside = true;
+      for (const auto& p : from)
+        for (const auto& q : to) {
+          s.most.push_back(most_volume<T>(p, q, o.ring[i], o.ring[i + 1 < o.ring.size() ? i + 1 : 0]));
+          is_outside = is_outside && s.most.back() <= 0;
+          greatest = greater(greatest, magnitude(s.most.back()));
+        }
+      if (is_outside) return true;
+      for (std::size_t c = 0; c < columns; ++c) s.most[rows * columns + c] /= greatest;
+    }
+  return sums_to_nothing(s, from, to, guess);
+}
+
+// Cuts a part in two where it is widest.
+template <Floating T>
+constexpr bool cut_ends(space_stabbing<T>& s, const end_rectangles& p) {
+  int which = 0, k = 0;
+  for (int i = 0; i < 2; ++i)
+    for (int n = 0; n < 2; ++n)
+      if (p.high[i][n] - p.low[i][n] > p.high[which][k] - p.low[which][k]) which = i, k = n;
+  const double at = halfway(p.low[which][k], p.high[which][k]);
+  if (!(p.low[which][k] < at && at < p.high[which][k])) return false;
+  end_rectangles below = p, above = p;
+  below.high[which][k] = above.low[which][k] = at;
+  s.parts.push_back(below);
+  s.parts.push_back(above);
+  return true;
+}
+
+// Whether a line passes them all. Nothing where that was not found out with so many parts, or coordinates are above
+// 2^300, or all of an opening below 2^-300.
+template <Floating T>
+constexpr std::optional<bool> is_passed(space_stabbing<T>& s) {
+  if (!are_moderate(s)) return std::nullopt;
+  end_rectangles whole;
+  for (int which = 0; which < 2; ++which) {
+    const space_opening<T>& o = end_opening(s, which);
+    for (int k = 0; k < 2; ++k) {
+      const int axis = k == 0 ? o.u : o.v;
+      whole.low[which][k] = whole.high[which][k] = o.ring[0][axis];
+      for (const auto& v : o.ring) {
+        whole.low[which][k] = lesser(whole.low[which][k], v[axis]);
+        whole.high[which][k] = greater(whole.high[which][k], v[axis]);
+      }
+    }
+  }
+  s.parts.assign(1, whole);
+  std::vector<point<double, 3>> corners[2];
+  for (std::size_t count = 0; !s.parts.empty(); ++count) {
+    if (count == s.most_parts) return std::nullopt;
+    const end_rectangles p = s.parts.back();
+    s.parts.pop_back();
+    for (int which = 0; which < 2; ++which) {
+      corners[which].clear();
+      for (const double u : {p.low[which][0], p.high[which][0]})
+        for (const double v : {p.low[which][1], p.high[which][1]})
+          if (!add_lifted(end_opening(s, which), u, v, corners[which])) return std::nullopt;
+    }
+    space_line guess;
+    if (misses_some(s, corners[0], corners[1], guess)) continue;
+    for (const space_line& l : {guess, middle_line(s, p)})
+      if (passes_all(s, l)) {
+        s.lines.back() = l;
+        return true;
+      }
+    if (!cut_ends(s, p)) return std::nullopt;
+  }
+  return false;
+}
+
+template <Floating T>
+constexpr void enter_opening(space_stabbing<T>& s, const std::vector<point<T, 3>>& ring) {
+  space_opening<T> o;
+  for (const auto& v : ring) o.ring.push_back({widened(v.x), widened(v.y), widened(v.z)});
+  o.is_moderate = choose_axes(o);
+  s.openings.push_back(std::move(o));
+  s.lines.push_back(s.lines.empty() ? space_line{} : s.lines.back());
+}
+
+// Whether the line that passed all but the last one passes that, too.
+template <Floating T>
+constexpr bool is_passed_as_before(const space_stabbing<T>& s) noexcept {
+  return s.openings.size() < 2 || (are_moderate(s) && passes_all(s, s.lines.back()));
+}
 
 }  // namespace detail::inline IRG_ABI
 
@@ -414,21 +409,22 @@ template <Floating T>
                                                          const visible_set_options& options) {
   const auto cells = static_cast<int>(plan.cells.size());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0, 0};
-  const detail::space_walk<T> walk(plan);
+  const detail::space_doors<T> doors = detail::doors_of(plan);
   for (int row = 0; row < cells; ++row) {
-    detail::space_stabbing<T> lines(options.most_parts);
+    detail::space_stabbing<T> lines{options.most_parts};
     const auto may_pass = [&](const auto& passed, const detail::space_doorway<T>& d) {
-      if (!walk.face_each_other(passed, d)) return false;
-      while (lines.size() > passed.size()) lines.leave();
-      lines.enter(d.ring);
-      if (lines.is_passed_as_before()) return true;
-      if (!walk.meet_hulls(passed, d)) return false;
-      const auto is_passed = lines.is_passed();
+      if (!detail::face_each_other(passed, d)) return false;
+      lines.openings.resize(passed.size(), detail::space_opening<T>{});
+      lines.lines.resize(passed.size(), detail::space_line{});
+      detail::enter_opening(lines, d.ring);
+      if (detail::is_passed_as_before(lines)) return true;
+      if (!detail::meet_hulls(passed, d)) return false;
+      const auto is_passed = detail::is_passed(lines);
       if (!is_passed) ++out.undecided;
       return is_passed.value_or(true);
     };
     const auto see = [&](std::uint32_t c) { out.seen.set({static_cast<int>(c), row, 0}); };
-    if (walk.from(static_cast<std::uint32_t>(row), options.most_doors, may_pass, see)) continue;
+    if (detail::walk_doors(doors, static_cast<std::uint32_t>(row), options.most_doors, may_pass, see)) continue;
     for (std::uint32_t c = 0; c < plan.cells.size(); ++c) see(c);
     ++out.unfinished;
   }
@@ -450,7 +446,7 @@ constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cel
       if (!seen_through_both(eye, before->ring, d.ring)) return false;
     return true;
   };
-  detail::space_walk<T>(plan).from(cell, ~std::uint64_t{0}, may_pass, sink);
+  detail::walk_doors(detail::doors_of(plan), cell, ~std::uint64_t{0}, may_pass, sink);
 }
 
 }  // namespace IRG_ABI

@@ -69,53 +69,44 @@ template <Floating T>
 
 namespace detail::inline IRG_ABI {
 
-template <class T>
-struct portal_walk {
-  struct place {
-    std::uint32_t cell = 0;
-    std::uint32_t next = 0;
-    view_wedge<T> view{};
-  };
-  const portal_graph<T>& graph;
-  std::vector<place> way{};
-  std::vector<const doorway<T>*> passed{};
-
-  constexpr explicit portal_walk(const portal_graph<T>& g) : graph(g) {}
-
-  // The cell of the eye, and those beyond portals that it stands in.
-  constexpr std::vector<std::uint32_t> cells_at(std::uint32_t cell, const point<T, 2>& eye) const {
-    std::vector<std::uint32_t> out(1, cell);
-    for (std::size_t i = 0; i < out.size(); ++i)
-      for (const doorway<T>& d : graph.doors(out[i])) {
-        if (orient2d(d.right, d.left, eye) != 0 || !is_between_ends(d.right, d.left, eye)) continue;
-        bool known = false;
-        for (const std::uint32_t c : out) known = known || c == d.to;
-        if (!known) out.push_back(d.to);
-      }
-    return out;
-  }
-
-  template <class MayPass, class Sink>
-  constexpr void from(std::uint32_t cell, const view_wedge<T>& view, const MayPass& may_pass, Sink& sink) {
-    way.push_back({cell, 0, view});
-    sink(cell, view);
-    while (!way.empty()) {
-      place& at = way.back();
-      const auto ahead = graph.doors(at.cell);
-      if (at.next == ahead.size()) {
-        way.pop_back();
-        if (!way.empty()) passed.pop_back();
-        continue;
-      }
-      const doorway<T>& d = ahead[at.next++];
-      const auto beyond = narrowed(at.view, d);
-      if (!beyond || !may_pass(std::span<const doorway<T>* const>(passed), d)) continue;
-      passed.push_back(&d);
-      way.push_back({d.to, 0, *beyond});
-      sink(d.to, *beyond);
+// The cell of the eye, and those beyond portals that it stands in.
+template <Floating T>
+constexpr std::vector<std::uint32_t> cells_at(const portal_graph<T>& graph, std::uint32_t cell,
+                                              const point<T, 2>& eye) {
+  std::vector<std::uint32_t> out(1, cell);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (const doorway<T>& d : graph.doors(out[i])) {
+      if (orient2d(d.right, d.left, eye) != 0 || !is_between_ends(d.right, d.left, eye)) continue;
+      bool known = false;
+      for (const std::uint32_t c : out) known = known || c == d.to;
+      if (!known) out.push_back(d.to);
     }
+  return out;
+}
+
+// may_pass(passed, door) says whether a way goes on through a door that the view passes.
+template <Floating T, class MayPass, class Sink>
+constexpr void view_ways(const portal_graph<T>& graph, std::uint32_t cell, const view_wedge<T>& view,
+                         const MayPass& may_pass, Sink& sink) {
+  for (const std::uint32_t c : cells_at(graph, cell, view.eye)) {
+    std::vector<view_wedge<T>> views(1, view);
+    std::vector<const doorway<T>*> passed;
+    sink(c, view);
+    const auto enter = [&](const doorway<T>& d) {
+      const auto beyond = narrowed(views.back(), d);
+      if (!beyond || !may_pass(passed, d)) return false;
+      passed.push_back(&d);
+      views.push_back(*beyond);
+      sink(d.to, *beyond);
+      return true;
+    };
+    const auto leave = [&] {
+      passed.pop_back();
+      views.pop_back();
+    };
+    walk_ways(c, ~std::uint64_t{0}, [&](std::uint32_t at) { return graph.doors(at); }, enter, leave);
   }
-};
+}
 
 }  // namespace detail::inline IRG_ABI
 
@@ -135,9 +126,7 @@ template <Floating T, class Sink>
 constexpr void view_through_portals(const portal_graph<T>& graph, std::uint32_t cell, const view_wedge<T>& view,
                                     Sink&& sink) {
   if (cell >= graph.cell_count() || !is_convex(std::span(&view.eye, 1))) return;
-  detail::portal_walk<T> walk(graph);
-  const auto always = [](const auto&, const auto&) { return true; };
-  for (const std::uint32_t c : walk.cells_at(cell, view.eye)) walk.from(c, view, always, sink);
+  detail::view_ways(graph, cell, view, [](const auto&, const auto&) { return true; }, sink);
 }
 
 /// Whether a ray from the eye can pass both of two convex polygons, with room on all sides; one that passes through
@@ -206,7 +195,6 @@ constexpr void view_through_openings(const plan_with_portals<std::type_identity_
   const point<T, 3> eye{view.eye.x, view.eye.y, eye_height};
   const point<T, 2> places[] = {view.eye, {eye_height, eye_height}};  // convex when all are finite
   if (cell >= graph.cell_count() || !is_convex(places)) return;
-  detail::portal_walk<T> walk(graph);
   const auto has_room = [&](const auto& passed, const doorway<T>& d) {
     const auto ahead = opening_of(building.plan, d);
     if (!(ahead[0].z < ahead[2].z)) return false;
@@ -214,7 +202,7 @@ constexpr void view_through_openings(const plan_with_portals<std::type_identity_
       if (!seen_through_both(eye, opening_of(building.plan, *before), ahead)) return false;
     return true;
   };
-  for (const std::uint32_t c : walk.cells_at(cell, view.eye)) walk.from(c, view, has_room, sink);
+  detail::view_ways(graph, cell, view, has_room, sink);
 }
 
 }  // namespace IRG_ABI

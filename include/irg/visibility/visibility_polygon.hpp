@@ -14,13 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/geometry/compare.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/vocabulary.hpp>
-#include <irg/visibility/detail/finite_point.hpp>
 #include <irg/visibility/detail/sight_envelope.hpp>
 #include <irg/visibility/sight_result.hpp>
 
@@ -92,7 +93,7 @@ class visible_ring_builder {
 public:
   constexpr visible_ring_builder(const point<T, 2>& source, const sight_options& options) : options_(options) {
     envelope_.source = source;
-    is_finite_ = is_finite_sight_point(source);
+    is_finite_ = is_finite(source);
   }
 
   constexpr void expect_obstacles(std::size_t count) { envelope_.edges.reserve(count + 16); }
@@ -119,7 +120,7 @@ public:
     const bool is_on_boundary = !through_.empty();
     if (!is_on_boundary && !is_inside(winding_)) return {visibility_status::source_outside, {}};
     if (is_on_boundary && !cover_outside()) return {visibility_status::source_outside, {}};
-    envelope_.merge();
+    merge_envelope(envelope_);
     walk();
     out_.status = is_on_boundary ? visibility_status::source_on_boundary
                   : on_obstacle_ ? visibility_status::source_on_obstacle
@@ -137,7 +138,7 @@ public:
       if (envelope_.tally.was_compared[i] != 0) was_compared[e.is_boundary ? obstacles + e.index : e.index] = 1;
     }
     sight_counts out{.walls = static_cast<std::int64_t>(was_compared.size()),
-                     .directions = envelope_.ranks(),
+                     .directions = ranks(envelope_),
                      .compared = envelope_.tally.pairs,
                      .crossings = envelope_.tally.crossings};
     for (const std::uint8_t compared : was_compared) out.passed_over += 1 - compared;
@@ -145,7 +146,6 @@ public:
   }
 
 private:
-  using item = typename sight_envelope<T, Tally>::item;
   // An edge of the domain runs from the source to this point, or from there to the source: how much greater the winding
   // number is on the left of the way there than on its right.
   struct boundary_ray {
@@ -168,7 +168,7 @@ private:
   // Whether the source lies on it.
   constexpr bool add_edge(const point<T, 2>& a, const point<T, 2>& b, std::size_t index, bool is_boundary) {
     const point<T, 2>& source = envelope_.source;
-    is_finite_ = is_finite_ && is_finite_sight_point(a) && is_finite_sight_point(b);
+    is_finite_ = is_finite_ && is_finite(a, b);
     if (!is_finite_ || a == b) return false;
     const auto number = static_cast<std::uint32_t>(index);
     const int turn = orient2d(source, a, b);
@@ -176,9 +176,9 @@ private:
       envelope_.edges.push_back({turn > 0 ? a : b, turn > 0 ? b : a, 0, 0, number, is_boundary, false});
       return false;
     }
-    const bool is_on = lies_within(a, b, source);
+    const bool is_on = is_between_ends(a, b, source);
     if (options_.ends == obstacle_ends::closed) return is_on;
-    const bool a_first = lies_within(source, b, a);
+    const bool a_first = is_between_ends(source, b, a);
     const auto add = [&](const point<T, 2>& nearest, const point<T, 2>& end) {
       if (!(end == source)) envelope_.edges.push_back({nearest, end, 0, 0, number, is_boundary, true});
     };
@@ -227,20 +227,20 @@ private:
 
   constexpr void cover(std::uint32_t edge) {
     const sight_edge<T>& e = envelope_.edges[edge];
-    const std::uint32_t from = 2 * e.start, to = 2 * (e.finish < e.start ? e.finish + envelope_.ranks() : e.finish);
+    const std::uint32_t from = 2 * e.start, to = 2 * (e.finish < e.start ? e.finish + ranks(envelope_) : e.finish);
     if (e.is_edge_on)
-      envelope_.cover(edge, from, from + 1);
+      cover_slots(envelope_, edge, from, from + 1);
     else if (options_.ends == obstacle_ends::closed)
-      envelope_.cover(edge, from, to);
+      cover_slots(envelope_, edge, from, to);
     else if (e.is_boundary)
-      envelope_.cover(edge, from, to + 1);
+      cover_slots(envelope_, edge, from, to + 1);
     else
-      envelope_.cover(edge, from + 1, to);
+      cover_slots(envelope_, edge, from + 1, to);
   }
 
   // Hides the directions that lead out of the domain at once; false when all do.
   constexpr bool cover_outside() {
-    const std::uint32_t n = envelope_.ranks();
+    const std::uint32_t n = ranks(envelope_);
     const point<T, 2>&source = envelope_.source, &first = envelope_.towards[0];
     std::vector<std::uint32_t> changes;
     bool any = false;
@@ -253,7 +253,7 @@ private:
     const std::uint32_t more = options_.ends == obstacle_ends::closed ? 0 : 1;
     for (std::size_t i = 0, k = 0; i < changes.size() && any; i = k) {
       for (k = i + 1; k < changes.size() && changes[k] == changes[k - 1] + 1;) ++k;
-      envelope_.cover(at_source, 2 * changes[i], 2 * (changes[k - 1] + 1) + more);
+      cover_slots(envelope_, at_source, 2 * changes[i], 2 * (changes[k - 1] + 1) + more);
     }
     return any;
   }
@@ -282,7 +282,7 @@ private:
   constexpr bool is_beyond(std::uint32_t edge, const point<T, 2>& p) const noexcept {
     if (edge == at_source || edge == no_sight_edge) return false;
     const auto& e = envelope_.edges[edge];
-    if (e.is_edge_on) return lies_within(envelope_.source, e.a, p) && !(e.a == p);
+    if (e.is_edge_on) return is_between_ends(envelope_.source, e.a, p) && !(e.a == p);
     return orient2d(e.a, e.b, p) > 0;
   }
 
@@ -309,7 +309,7 @@ private:
   }
 
   constexpr void walk() {
-    const std::vector<item>& list = envelope_.nearest;
+    const auto& list = envelope_.nearest;
     const std::size_t n = list.size() - 1;  // the last one says that the turn is over
     std::uint32_t before = list[n - 1].edge;
     out_.ring.reserve(2 * n);

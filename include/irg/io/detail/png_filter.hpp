@@ -3,7 +3,6 @@
 // to the left, the byte above and the byte above that one's left.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -60,7 +59,7 @@ IRG_INLINE constexpr std::uint32_t sum_of_differences(const png_row& r, std::siz
 
 /// The filter whose differences have the smallest sum of sizes; the first of equals.
 /// source  PNG, 12.8 (minimum sum of absolute differences)
-constexpr png_filter best_filter(const std::same_as<png_row> auto& r) noexcept {
+constexpr png_filter best_filter(const png_row& r) noexcept {
   std::uint64_t sums[5] = {};
   const auto add = [&]<int Count>(std::size_t first) {
     sums[0] += sum_of_differences<png_filter::none, Count>(r, first);
@@ -86,7 +85,7 @@ constexpr void write_differences(const png_row& r, std::uint8_t* out) noexcept {
 }
 
 /// Writes the filter's number and the row's differences: 1 + count bytes.
-constexpr void write_filtered(const std::same_as<png_row> auto& r, png_filter filter, std::uint8_t* out) noexcept {
+constexpr void write_filtered(const png_row& r, png_filter filter, std::uint8_t* out) noexcept {
   *out++ = static_cast<std::uint8_t>(filter);
   switch (filter) {
     case png_filter::none: return write_differences<png_filter::none>(r, out);

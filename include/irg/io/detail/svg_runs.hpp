@@ -15,15 +15,13 @@ namespace irg::detail::inline IRG_ABI {
 template <class Bytes>
 constexpr void append_paint(Bytes& out, std::string_view what, const rgba8& p) {
   constexpr std::string_view hex = "0123456789abcdef";
-  append_text(out, what);
-  append_text(out, "=\"#");
+  append_all(out, what, "=\"#");
   for (const std::uint8_t channel : {p.r, p.g, p.b})
     for (const int digit : {channel >> 4, channel & 15})
       out.push_back(static_cast<std::uint8_t>(hex[static_cast<std::size_t>(digit)]));
   append_text(out, "\"");
   if (p.a == 255) return;
-  append_text(out, " ");
-  append_text(out, what);
+  append_all(out, " ", what);
   append_text(out, "-opacity=\"0.");  // rounded down to a thousandth; no opacity below 255 comes to 1
   const int thousandths = p.a * 1000 / 255;
   for (const int digit : {thousandths / 100, thousandths / 10 % 10, thousandths % 10})
@@ -33,15 +31,7 @@ constexpr void append_paint(Bytes& out, std::string_view what, const rgba8& p) {
 
 template <class Bytes>
 constexpr void append_run(Bytes& out, int x, int y, int width, int height, const rgba8& p) {
-  append_text(out, "<rect x=\"");
-  append_number(out, x);
-  append_text(out, "\" y=\"");
-  append_number(out, y);
-  append_text(out, "\" width=\"");
-  append_number(out, width);
-  append_text(out, "\" height=\"");
-  append_number(out, height);
-  append_text(out, "\" ");
+  append_all(out, "<rect x=\"", x, "\" y=\"", y, "\" width=\"", width, "\" height=\"", height, "\" ");
   append_paint(out, "fill", p);
   append_text(out, "/>\n");
 }

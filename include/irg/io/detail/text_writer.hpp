@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
 
 #include <irg/math/decimal.hpp>
 
@@ -24,6 +25,18 @@ template <class Bytes, std::integral J>
 constexpr void append_number(Bytes& out, J n) {
   char text[20] = {};
   append_text(out, {text, static_cast<std::size_t>(print_integer(text, text + sizeof text, n) - text)});
+}
+
+/// Appends texts and numbers, one after the other.
+template <class Bytes, class... Parts>
+constexpr void append_all(Bytes& out, const Parts&... parts) {
+  const auto append_one = [&out](const auto& part) {
+    if constexpr (std::is_convertible_v<decltype(part), std::string_view>)
+      append_text(out, part);
+    else
+      append_number(out, part);
+  };
+  (append_one(parts), ...);
 }
 
 /// Appends numbers, a blank before each that does not begin a line.

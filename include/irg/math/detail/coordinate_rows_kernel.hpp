@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include <irg/core/coordinates.hpp>
+#include <irg/core/lanes.hpp>
 #include <irg/core/scalar.hpp>
 
 namespace irg::detail {
@@ -36,11 +37,12 @@ IRG_INLINE constexpr auto row_of(V& v) noexcept {
   return first;
 }
 
-// Calls kernel(rows...) where all of the arrays' first elements are rows, otherwise one(i) for each of n elements.
+// Calls kernel(rows...) where there are lanes and all of the arrays' first elements are rows, otherwise one(i) for each
+// of n elements.
 template <class One, class Kernel, class... V>
 IRG_INLINE constexpr void by_rows(std::size_t n, const One& one, const Kernel& kernel, V&... first) noexcept {
   // Whether addresses follow each other is no constant.
-  if (!std::is_constant_evaluated() && (row_of(first) && ...)) return kernel(row_of(first)...);
+  if (has_lanes && !std::is_constant_evaluated() && (row_of(first) && ...)) return kernel(row_of(first)...);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// How a cell of a BSP tree in space is divided: which plane, and which pieces lie where. While the tree grows a piece
-// that was cut also has its corners, rounded, with bounds of what they are off by and with the planes that meet in
-// each: these decide where the bound leaves it open.
+// How a BSP tree in space grows, and how a cell is divided: by which plane, and which pieces lie where. While the tree
+// grows a piece that was cut also has its corners, rounded, with bounds of what they are off by and with the planes
+// that meet in each: these decide where the bound leaves it open.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include <irg/core/contract.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/side_of_meeting.hpp>
 #include <irg/math/error_free.hpp>
@@ -204,211 +206,394 @@ struct cell_sides {
   std::vector<open_piece>&front, &back, &on;
 };
 
-template <class T>
-class IRG_APART bsp_cells_3d {
-public:
-  constexpr explicit bsp_cells_3d(bsp_data_3d<T>& d) : d_(d) {}
-
-  // The plane by which a cell is divided: of some that are tried the one of the least cost.
-  constexpr bsp_plane_3d dividing_plane(const std::vector<open_piece>& pieces, const bsp_choice& choice) const {
-    const std::size_t n = pieces.size(), tried = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
-    best best_one{{pieces.front().triangle, bsp_plane_3d::of_triangle}, ~std::size_t{0}};
-    if (tried > 1 && judge_across(pieces, tried, {judges, choice.cut_costs}, best_one)) return best_one.plane;
-    for (std::size_t i = 0; tried > 1 && i < tried; ++i)
-      judge({pieces[i * n / tried].triangle, bsp_plane_3d::of_triangle}, pieces, {judges, choice.cut_costs}, best_one);
-    for (std::uint32_t axis = 0; tried > 1 && n > tried && axis < 3; ++axis)
-      judge({median_vertex(pieces, judges, axis), axis}, pieces, {judges, choice.cut_costs}, best_one);
-    return best_one.plane;
-  }
-
-  // Parts the pieces of a cell by the plane of a node; returns how many were cut.
-  constexpr std::size_t divide(const std::vector<open_piece>& pieces, const dividing_node& by, const cell_sides& to) {
-    std::size_t cuts = 0;
-    for (const open_piece& p : pieces) {
-      std::array<int, 3> at{};
-      const auto& [v] = d_.triangles[p.triangle];
-      for (std::size_t k = 0; k < 3; ++k) at[k] = side_of_vertex(v[k], by);
-      const int low = lesser(lesser(at[0], at[1]), at[2]), high = greater(greater(at[0], at[1]), at[2]);
-      if (low == 0 && high == 0)
-        to.on.push_back(p);
-      else if (low >= 0)
-        to.front.push_back(p);
-      else if (high <= 0)
-        to.back.push_back(p);
-      else
-        cuts += part(p, at, by, to) ? 1u : 0u;
-    }
-    return cuts;
-  }
-
-private:
-  struct best {
-    bsp_plane_3d plane;
-    std::size_t cost;
-  };
-  struct costs {
-    std::size_t judges, cut;
-  };
-
-  // Whether a piece reaches across its cell: no side of its triangle is left. Its plane cuts what goes through it
-  // alone, so that it makes no cut that is not needed (Paterson and Yao 1990).
-  constexpr bool reaches_across(const open_piece& p) const noexcept {
-    if (p.count == 0) return false;
-    for (std::uint32_t k = 0; k < p.count; ++k)
-      if (corners_[p.first + k].next_side < 3) return false;
-    return true;
-  }
-
-  constexpr int side_of_vertex(std::uint32_t v, const dividing_node& by) const noexcept {
-    const bsp_plane_3d& plane = d_.nodes[by.number].plane;
-    if (plane.axis == bsp_plane_3d::of_triangle) {
-      const auto& [of] = d_.triangles[plane.source];
-      if (v == of[0] || v == of[1] || v == of[2]) return 0;
-    }
-    double at[3];
-    copy_widened(d_.vertices[v], at);
-    const int sure = by.plane(at, 0.0).sign();
-    return sure != 0 ? sure : exact_side(d_, plane, d_.vertices[v]);
-  }
-
-  // A triangle that a plane cuts: is the piece of it cut, too?
-  constexpr bool part(const open_piece& p, const std::array<int, 3>& at, const dividing_node& by,
-                      const cell_sides& to) {
-    ring_.clear();
-    side_.clear();
-    if (p.count == 0) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        ring_.push_back({{}, 0.0, k});
-        copy_widened(d_.vertices[d_.triangles[p.triangle].v[k]], ring_.back().at);
-        side_.push_back(at[k]);
-      }
-    } else {
-      ring_.assign(corners_.begin() + p.first, corners_.begin() + p.first + p.count);
-      int low = 0, high = 0;
-      for (std::size_t i = 0; i < ring_.size(); ++i) {
-        side_.push_back(side_of_corner(p.triangle, i, at, by));
-        low = lesser(low, side_.back());
-        high = greater(high, side_.back());
-      }
-      if (low == 0 || high == 0) {
-        (low == 0 ? to.front : to.back).push_back(p);
-        return false;
-      }
-    }
-    to.front.push_back(cut(p, 1, by));
-    to.back.push_back(cut(p, -1, by));
-    return true;
-  }
-
-  constexpr int side_of_corner(std::uint32_t triangle, std::size_t i, const std::array<int, 3>& at,
-                               const dividing_node& by) const {
-    const std::uint32_t last = ring_[i == 0 ? ring_.size() - 1 : i - 1].next_side, next = ring_[i].next_side;
-    if (last < 3 && next < 3) return at[next];
-    const int sure = by.plane(ring_[i].at, ring_[i].off).sign();
-    if (sure != 0) return sure;
-    const auto points = [&](std::uint32_t side) {
-      return side < 3 ? points_of_side(d_, triangle, side) : points_of(d_, d_.nodes[side - 3].plane);
-    };
-    const plane_points<T> whole = points_of(d_, {triangle, bsp_plane_3d::of_triangle});
-    return side_of_meeting(whole, points(last), points(next), points_of(d_, d_.nodes[by.number].plane)).value_or(0);
-  }
-
-  // The part of a ring at one side of the plane that cuts it.
-  constexpr open_piece cut(const open_piece& p, int keep, const dividing_node& by) {
-    const auto first = static_cast<std::uint32_t>(corners_.size());
-    const std::size_t n = ring_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t next = i + 1 < n ? i + 1 : 0;
-      const int here = side_[i] * keep, there = side_[next] * keep;
-      if (here >= 0) corners_.push_back(ring_[i]);
-      if (here == 0 && there < 0) corners_.back().next_side = by.number + 3;
-      if (here * there >= 0) continue;
-      corners_.push_back(crossing(ring_[i], ring_[next], by.plane));
-      corners_.back().next_side = here > 0 ? by.number + 3 : ring_[i].next_side;
-    }
-    const auto limit = static_cast<std::uint32_t>(d_.limits.size());
-    d_.limits.push_back({by.number, keep, p.limits});
-    return {p.triangle, limit, first, static_cast<std::uint32_t>(corners_.size()) - first};
-  }
-
-  // Where a side crosses a plane. With values f and g at its ends of different signs, off by at most e, the share
-  // f / (f - g) of the way is off by at most e / |f - g|, and some roundings.
-  static constexpr piece_corner crossing(const piece_corner& a, const piece_corner& b, const rounded_plane& plane) {
-    const bounded_value f = plane(a.at, a.off), g = plane(b.at, b.off);
-    const double whole = f.value - g.value, share = f.value / whole;
-    piece_corner c{{}, 0.0, 0};
-    double length = 0, size = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double way = b.at[k] - a.at[k];
-      c.at[k] = a.at[k] + product(share, way);
-      length = greater(length, magnitude(way));
-      size = greater(size, greater(magnitude(a.at[k]), magnitude(b.at[k])));
-    }
-    const double off = greater(f.bound, g.bound) / magnitude(whole) + 0x1p-50;
-    c.off = 1.01 * (greater(a.off, b.off) + product(length, off) + product(size, 0x1p-50)) + 0x1p-1000;
-    return c;
-  }
-
-  // How a piece lies to a plane, as far as rounded numbers tell: for the choice, which any answer leaves right.
-  constexpr std::pair<bool, bool> rough_sides(const open_piece& p, const rounded_plane& plane) const noexcept {
-    bool front = false, back = false;
-    const auto take = [&](int side) {
-      front = front || side > 0;
-      back = back || side < 0;
-    };
-    for (std::uint32_t k = 0; k < p.count; ++k) take(plane(corners_[p.first + k].at, corners_[p.first + k].off).sign());
-    for (std::size_t k = 0; p.count == 0 && k < 3; ++k) {
-      double at[3];
-      copy_widened(d_.vertices[d_.triangles[p.triangle].v[k]], at);
-      take(plane(at, 0.0).sign());
-    }
-    return {front, back};
-  }
-
-  // Judges some of the pieces that reach across the cell; false where there are none.
-  constexpr bool judge_across(const std::vector<open_piece>& pieces, std::size_t tried, const costs& c,
-                              best& best_one) const {
-    std::vector<std::uint32_t> across;
-    for (const open_piece& p : pieces)
-      if (reaches_across(p)) across.push_back(p.triangle);
-    const std::size_t some = lesser(tried, across.size());
-    for (std::size_t i = 0; i < some; ++i)
-      judge({across[i * across.size() / some], bsp_plane_3d::of_triangle}, pieces, c, best_one);
-    return some > 0;
-  }
-
-  // Takes a plane if it costs less. One across an axis must leave something at each side, or nothing is won.
-  constexpr void judge(const bsp_plane_3d& plane, const std::vector<open_piece>& pieces, const costs& c,
-                       best& best_one) const noexcept {
-    const rounded_plane rounded = plane_of(d_, plane);
-    std::size_t front = 0, back = 0, cut = 0;
-    for (std::size_t i = 0; i < c.judges; ++i) {
-      const auto [f, b] = rough_sides(pieces[i * pieces.size() / c.judges], rounded);
-      cut += f && b;
-      front += f && !b;
-      back += b && !f;
-    }
-    if (plane.axis != bsp_plane_3d::of_triangle && (front == 0 || back == 0)) return;
-    const std::size_t cost = (front < back ? back - front : front - back) + cut * c.cut;
-    if (cost < best_one.cost) best_one = {plane, cost};
-  }
-
-  // The vertex in the middle of some.
-  constexpr std::uint32_t median_vertex(const std::vector<open_piece>& pieces, std::size_t judges,
-                                        std::uint32_t axis) const {
-    std::vector<std::pair<T, std::uint32_t>> all;
-    all.reserve(judges);
-    for (std::size_t i = 0; i < judges; ++i) {
-      const std::uint32_t v = d_.triangles[pieces[i * pieces.size() / judges].triangle].v[i % 3];
-      all.push_back({d_.vertices[v][static_cast<int>(axis)], v});
-    }
-    std::sort(all.begin(), all.end());
-    return all[all.size() / 2].second;
-  }
-
-  bsp_data_3d<T>& d_;
-  std::vector<piece_corner> corners_{}, ring_{};
-  std::vector<int> side_{};
+struct best_plane {
+  bsp_plane_3d plane;
+  std::size_t cost;
 };
 
+struct plane_costs {
+  std::size_t judges, cut;
+};
+
+template <Floating T>
+struct bsp_cells_3d {
+  bsp_data_3d<T>& d;
+  std::vector<piece_corner> corners{};  // of all pieces that were cut
+  std::vector<piece_corner> ring{};  // of the piece that is cut, with their sides
+  std::vector<int> side{};
+};
+
+inline namespace IRG_ABI {
+
+// Whether a piece reaches across its cell: no side of its triangle is left. Its plane cuts what goes through it
+// alone, so that it makes no cut that is not needed (Paterson and Yao 1990).
+template <Floating T>
+constexpr bool reaches_across(const bsp_cells_3d<T>& cells, const open_piece& p) noexcept {
+  if (p.count == 0) return false;
+  for (std::uint32_t k = 0; k < p.count; ++k)
+    if (cells.corners[p.first + k].next_side < 3) return false;
+  return true;
+}
+
+template <Floating T>
+constexpr int side_of_vertex(const bsp_cells_3d<T>& cells, std::uint32_t v, const dividing_node& by) noexcept {
+  const bsp_plane_3d& plane = cells.d.nodes[by.number].plane;
+  if (plane.axis == bsp_plane_3d::of_triangle) {
+    const auto& [of] = cells.d.triangles[plane.source];
+    if (v == of[0] || v == of[1] || v == of[2]) return 0;
+  }
+  double at[3];
+  copy_widened(cells.d.vertices[v], at);
+  const int sure = by.plane(at, 0.0).sign();
+  return sure != 0 ? sure : exact_side(cells.d, plane, cells.d.vertices[v]);
+}
+
+// Where a side crosses a plane. With values f and g at its ends of different signs, off by at most e, the share
+// f / (f - g) of the way is off by at most e / |f - g|, and some roundings.
+constexpr piece_corner crossing_corner(const piece_corner& a, const piece_corner& b, const rounded_plane& plane) {
+  const bounded_value f = plane(a.at, a.off), g = plane(b.at, b.off);
+  const double whole = f.value - g.value, share = f.value / whole;
+  piece_corner c{{}, 0.0, 0};
+  double length = 0, size = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double way = b.at[k] - a.at[k];
+    c.at[k] = a.at[k] + product(share, way);
+    length = greater(length, magnitude(way));
+    size = greater(size, greater(magnitude(a.at[k]), magnitude(b.at[k])));
+  }
+  const double off = greater(f.bound, g.bound) / magnitude(whole) + 0x1p-50;
+  c.off = 1.01 * (greater(a.off, b.off) + product(length, off) + product(size, 0x1p-50)) + 0x1p-1000;
+  return c;
+}
+
+// The part of a ring at one side of the plane that cuts it.
+template <Floating T>
+constexpr open_piece cut_piece(bsp_cells_3d<T>& cells, const open_piece& p, int keep, const dividing_node& by) {
+  const auto first = static_cast<std::uint32_t>(cells.corners.size());
+  const std::size_t n = cells.ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = i + 1 < n ? i + 1 : 0;
+    const int here = cells.side[i] * keep, there = cells.side[next] * keep;
+    if (here >= 0) cells.corners.push_back(cells.ring[i]);
+    if (here == 0 && there < 0) cells.corners.back().next_side = by.number + 3;
+    if (here * there >= 0) continue;
+    cells.corners.push_back(crossing_corner(cells.ring[i], cells.ring[next], by.plane));
+    cells.corners.back().next_side = here > 0 ? by.number + 3 : cells.ring[i].next_side;
+  }
+  const auto limit = static_cast<std::uint32_t>(cells.d.limits.size());
+  cells.d.limits.push_back({by.number, keep, p.limits});
+  return {p.triangle, limit, first, static_cast<std::uint32_t>(cells.corners.size()) - first};
+}
+
+template <Floating T>
+constexpr int side_of_corner(const bsp_cells_3d<T>& cells, std::uint32_t triangle, std::size_t i,
+                             const std::array<int, 3>& at, const dividing_node& by) {
+  const std::uint32_t last = cells.ring[i == 0 ? cells.ring.size() - 1 : i - 1].next_side,
+                      next = cells.ring[i].next_side;
+  if (last < 3 && next < 3) return at[next];
+  const int sure = by.plane(cells.ring[i].at, cells.ring[i].off).sign();
+  if (sure != 0) return sure;
+  const auto points = [&](std::uint32_t side) {
+    return side < 3 ? points_of_side(cells.d, triangle, side) : points_of(cells.d, cells.d.nodes[side - 3].plane);
+  };
+  const plane_points<T> whole = points_of(cells.d, {triangle, bsp_plane_3d::of_triangle});
+  return side_of_meeting(whole, points(last), points(next), points_of(cells.d, cells.d.nodes[by.number].plane))
+      .value_or(0);
+}
+
+// A triangle that a plane cuts: is the piece of it cut, too?
+template <Floating T>
+constexpr bool part_piece(bsp_cells_3d<T>& cells, const open_piece& p, const std::array<int, 3>& at,
+                          const dividing_node& by, const cell_sides& to) {
+  cells.ring.clear();
+  cells.side.clear();
+  if (p.count == 0) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      cells.ring.push_back({{}, 0.0, k});
+      copy_widened(cells.d.vertices[cells.d.triangles[p.triangle].v[k]], cells.ring.back().at);
+      cells.side.push_back(at[k]);
+    }
+  } else {
+    cells.ring.assign(cells.corners.begin() + p.first, cells.corners.begin() + p.first + p.count);
+    int low = 0, high = 0;
+    for (std::size_t i = 0; i < cells.ring.size(); ++i) {
+      cells.side.push_back(side_of_corner(cells, p.triangle, i, at, by));
+      low = lesser(low, cells.side.back());
+      high = greater(high, cells.side.back());
+    }
+    if (low == 0 || high == 0) {
+      (low == 0 ? to.front : to.back).push_back(p);
+      return false;
+    }
+  }
+  to.front.push_back(cut_piece(cells, p, 1, by));
+  to.back.push_back(cut_piece(cells, p, -1, by));
+  return true;
+}
+
+// How a piece lies to a plane, as far as rounded numbers tell: for the choice, which any answer leaves right.
+template <Floating T>
+constexpr std::pair<bool, bool> rough_sides(const bsp_cells_3d<T>& cells, const open_piece& p,
+                                            const rounded_plane& plane) noexcept {
+  bool front = false, back = false;
+  const auto take = [&](int side) {
+    front = front || side > 0;
+    back = back || side < 0;
+  };
+  for (std::uint32_t k = 0; k < p.count; ++k)
+    take(plane(cells.corners[p.first + k].at, cells.corners[p.first + k].off).sign());
+  for (std::size_t k = 0; p.count == 0 && k < 3; ++k) {
+    double at[3];
+    copy_widened(cells.d.vertices[cells.d.triangles[p.triangle].v[k]], at);
+    take(plane(at, 0.0).sign());
+  }
+  return {front, back};
+}
+
+// Takes a plane if it costs less. One across an axis must leave something at each side, or nothing is won.
+template <Floating T>
+constexpr void judge_plane(const bsp_cells_3d<T>& cells, const bsp_plane_3d& plane,
+                           const std::vector<open_piece>& pieces, const plane_costs& c, best_plane& best_one) noexcept {
+  const rounded_plane rounded = plane_of(cells.d, plane);
+  std::size_t front = 0, back = 0, cut = 0;
+  for (std::size_t i = 0; i < c.judges; ++i) {
+    const auto [f, b] = rough_sides(cells, pieces[i * pieces.size() / c.judges], rounded);
+    cut += f && b;
+    front += f && !b;
+    back += b && !f;
+  }
+  if (plane.axis != bsp_plane_3d::of_triangle && (front == 0 || back == 0)) return;
+  const std::size_t cost = (front < back ? back - front : front - back) + cut * c.cut;
+  if (cost < best_one.cost) best_one = {plane, cost};
+}
+
+// Judges some of the pieces that reach across the cell; false where there are none.
+template <Floating T>
+constexpr bool judge_across(const bsp_cells_3d<T>& cells, const std::vector<open_piece>& pieces, std::size_t tried,
+                            const plane_costs& c, best_plane& best_one) {
+  std::vector<std::uint32_t> across;
+  for (const open_piece& p : pieces)
+    if (reaches_across(cells, p)) across.push_back(p.triangle);
+  const std::size_t some = lesser(tried, across.size());
+  for (std::size_t i = 0; i < some; ++i)
+    judge_plane(cells, {across[i * across.size() / some], bsp_plane_3d::of_triangle}, pieces, c, best_one);
+  return some > 0;
+}
+
+// The vertex in the middle of some.
+template <Floating T>
+constexpr std::uint32_t median_vertex(const bsp_cells_3d<T>& cells, const std::vector<open_piece>& pieces,
+                                      std::size_t judges, std::uint32_t axis) {
+  std::vector<std::pair<T, std::uint32_t>> all;
+  all.reserve(judges);
+  for (std::size_t i = 0; i < judges; ++i) {
+    const std::uint32_t v = cells.d.triangles[pieces[i * pieces.size() / judges].triangle].v[i % 3];
+    all.push_back({cells.d.vertices[v][static_cast<int>(axis)], v});
+  }
+  std::sort(all.begin(), all.end());
+  return all[all.size() / 2].second;
+}
+
+// The plane by which a cell is divided: of some that are tried the one of the least cost.
+template <Floating T>
+constexpr bsp_plane_3d dividing_plane(const bsp_cells_3d<T>& cells, const std::vector<open_piece>& pieces,
+                                      const bsp_choice& choice) {
+  const std::size_t n = pieces.size(), tried = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
+  best_plane best_one{{pieces.front().triangle, bsp_plane_3d::of_triangle}, ~std::size_t{0}};
+  if (tried > 1 && judge_across(cells, pieces, tried, {judges, choice.cut_costs}, best_one)) return best_one.plane;
+  for (std::size_t i = 0; tried > 1 && i < tried; ++i)
+    judge_plane(cells, {pieces[i * n / tried].triangle, bsp_plane_3d::of_triangle}, pieces, {judges, choice.cut_costs},
+                best_one);
+  for (std::uint32_t axis = 0; tried > 1 && n > tried && axis < 3; ++axis)
+    judge_plane(cells, {median_vertex(cells, pieces, judges, axis), axis}, pieces, {judges, choice.cut_costs},
+                best_one);
+  return best_one.plane;
+}
+
+// Parts the pieces of a cell by the plane of a node; returns how many were cut.
+template <Floating T>
+constexpr std::size_t divide_cell(bsp_cells_3d<T>& cells, const std::vector<open_piece>& pieces,
+                                  const dividing_node& by, const cell_sides& to) {
+  std::size_t cuts = 0;
+  for (const open_piece& p : pieces) {
+    std::array<int, 3> at{};
+    const auto& [v] = cells.d.triangles[p.triangle];
+    for (std::size_t k = 0; k < 3; ++k) at[k] = side_of_vertex(cells, v[k], by);
+    const int low = lesser(lesser(at[0], at[1]), at[2]), high = greater(greater(at[0], at[1]), at[2]);
+    if (low == 0 && high == 0)
+      to.on.push_back(p);
+    else if (low >= 0)
+      to.front.push_back(p);
+    else if (high <= 0)
+      to.back.push_back(p);
+    else
+      cuts += part_piece(cells, p, at, by, to) ? 1u : 0u;
+  }
+  return cuts;
+}
+
+}  // namespace IRG_ABI
+
+// A tree that grows by adding, and goes back to what it was.
+
+// Where a node hangs: below another one, in front or behind, or beside one of the same plane.
+enum class hung { in_front, behind, beside };
+struct bsp_link {
+  std::uint32_t node;
+  hung where;
+};
+
+// What a visit asks of a node: its plane, what is below it behind and in front, and its piece if it has but one.
+struct bsp_walk_step {
+  walked_plane plane;
+  std::uint32_t below[2], piece;
+};
+inline constexpr std::uint32_t several_pieces = bsp_none - 1;
+
+struct bsp_sizes {
+  std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0, links = 0;
+};
+
+template <Floating T>
+struct growing_bsp_3d {
+  // The pieces of a cell, and where the node hangs that is to divide it.
+  struct open_cell {
+    std::vector<open_piece> pieces;
+    bsp_link at;
+  };
+
+  bsp_data_3d<T> data{};
+  std::vector<rounded_plane> planes{};  // of the nodes
+  std::vector<bsp_walk_step> steps{};
+  std::vector<bsp_link> links{};  // from what was there to what was merged in
+  std::size_t splits = 0, left_out = 0;
+};
+
+inline namespace IRG_ABI {
+
+template <Floating T>
+constexpr std::uint32_t& link_of(growing_bsp_3d<T>& tree, const bsp_link& l) noexcept {
+  bsp_node_3d& n = tree.data.nodes[l.node];
+  return l.where == hung::in_front ? n.front : l.where == hung::behind ? n.back : n.beside;
+}
+
+template <Floating T>
+constexpr bsp_walk_step step_at(const growing_bsp_3d<T>& tree, std::uint32_t i) {
+  const bsp_node_3d& n = tree.data.nodes[i];
+  const bool has_one = n.beside == bsp_none && n.last - n.first <= 1;
+  return {walked_plane(tree.planes[i]),
+          {n.back, n.front},
+          !has_one           ? several_pieces
+          : n.first < n.last ? n.first
+                             : bsp_none};
+}
+
+template <Floating T>
+constexpr bsp_sizes sizes_of(const growing_bsp_3d<T>& tree) noexcept {
+  const bsp_data_3d<T>& d = tree.data;
+  return {d.vertices.size(), d.triangles.size(), d.nodes.size(), d.pieces.size(),
+          d.limits.size(),   tree.splits,        tree.left_out,  tree.links.size()};
+}
+
+template <Floating T>
+constexpr void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to) {
+  for (; tree.links.size() > to.links; tree.links.pop_back()) {
+    link_of(tree, tree.links.back()) = bsp_none;
+    tree.steps[tree.links.back().node] = step_at(tree, tree.links.back().node);
+  }
+  tree.data.vertices.resize(to.vertices, point<T, 3>{});
+  tree.data.triangles.resize(to.triangles, triangle_indices{});
+  tree.data.nodes.resize(to.nodes, bsp_node_3d{});
+  tree.planes.erase(tree.planes.begin() + static_cast<std::ptrdiff_t>(to.nodes), tree.planes.end());
+  tree.steps.erase(tree.steps.begin() + static_cast<std::ptrdiff_t>(to.nodes), tree.steps.end());
+  tree.data.pieces.resize(to.pieces, bsp_piece_3d{});
+  tree.data.limits.resize(to.limits, bsp_limit_3d{});
+  tree.splits = to.splits;
+  tree.left_out = to.left_out;
+}
+
+template <Floating T>
+constexpr std::uint32_t make_node(growing_bsp_3d<T>& tree, bsp_plane_3d plane) {
+  const auto here = static_cast<std::uint32_t>(tree.data.nodes.size());
+  const auto end = static_cast<std::uint32_t>(tree.data.pieces.size());
+  tree.data.nodes.push_back({plane, end, end, bsp_none, bsp_none, bsp_none});
+  tree.planes.push_back(plane_of(tree.data, plane));
+  return here;
+}
+
+template <Floating T>
+constexpr void hang(growing_bsp_3d<T>& tree, std::uint32_t node, const bsp_link& at) {
+  if (at.node < tree.steps.size()) tree.links.push_back(at);  // it was there before
+  link_of(tree, at) = node;
+}
+
+// A new node for pieces in the plane of one that is there.
+template <Floating T>
+constexpr std::uint32_t make_node_beside(growing_bsp_3d<T>& tree, std::uint32_t node) {
+  while (tree.data.nodes[node].beside != bsp_none) node = tree.data.nodes[node].beside;
+  const std::uint32_t here = make_node(tree, tree.data.nodes[node].plane);
+  hang(tree, here, {node, hung::beside});
+  return here;
+}
+
+template <Floating T>
+constexpr void put_pieces(growing_bsp_3d<T>& tree, std::uint32_t node, const std::vector<open_piece>& on) {
+  for (const open_piece& p : on) tree.data.pieces.push_back({p.triangle, p.limits});
+  tree.data.nodes[node].last = static_cast<std::uint32_t>(tree.data.pieces.size());
+}
+
+// The root's cell: all triangles with area.
+template <Floating T>
+constexpr auto take_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
+                              std::span<const triangle_indices> triangles) {
+  const auto base = static_cast<std::uint32_t>(tree.data.vertices.size());
+  tree.data.vertices.insert(tree.data.vertices.end(), vertices.begin(), vertices.end());
+  typename growing_bsp_3d<T>::open_cell all{{}, {bsp_none, hung::in_front}};
+  for (const triangle_indices& t : triangles) {
+    const auto number = static_cast<std::uint32_t>(tree.data.triangles.size());
+    for (const std::uint32_t v : t.v) IRG_EXPECTS(v < vertices.size());
+    tree.data.triangles.push_back({{t.v[0] + base, t.v[1] + base, t.v[2] + base}});
+    if (has_area(tree.data, number))
+      all.pieces.push_back({number, bsp_none, 0, 0});
+    else
+      ++tree.left_out;
+  }
+  return all;
+}
+
+template <Floating T>
+constexpr void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
+                             std::span<const triangle_indices> triangles, const bsp_choice& choice) {
+  using open_cell = typename growing_bsp_3d<T>::open_cell;
+  IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
+  const std::size_t links_before = tree.links.size();
+  bsp_cells_3d<T> cells{tree.data};
+  open_cell all = take_triangles(tree, vertices, triangles);
+  std::vector<open_cell> open;
+  if (!all.pieces.empty()) open.push_back(std::move(all));
+  std::vector<open_piece> on;
+  while (!open.empty()) {
+    open_cell t = std::move(open.back());
+    open.pop_back();
+    // The root, or what hangs where this would hang: there only before anything is added.
+    std::uint32_t here = t.at.node != bsp_none ? link_of(tree, t.at) : tree.data.nodes.empty() ? bsp_none : 0;
+    const bool is_new = here == bsp_none;
+    if (is_new) {
+      here = make_node(tree, dividing_plane(cells, t.pieces, choice));
+      if (t.at.node != bsp_none) hang(tree, here, t.at);
+    }
+    on.clear();
+    open_cell front{{}, {here, hung::in_front}}, back{{}, {here, hung::behind}};
+    tree.splits += divide_cell(cells, t.pieces, {here, tree.planes[here]}, {front.pieces, back.pieces, on});
+    if (!on.empty()) put_pieces(tree, is_new ? here : make_node_beside(tree, here), on);
+    if (!back.pieces.empty()) open.push_back(std::move(back));
+    if (!front.pieces.empty()) open.push_back(std::move(front));
+  }
+  for (auto i = static_cast<std::uint32_t>(tree.steps.size()); i < tree.data.nodes.size(); ++i)
+    tree.steps.push_back(step_at(tree, i));
+  for (std::size_t i = links_before; i < tree.links.size(); ++i)
+    tree.steps[tree.links[i].node] = step_at(tree, tree.links[i].node);
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg::detail

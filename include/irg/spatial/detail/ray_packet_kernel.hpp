@@ -7,7 +7,6 @@
 #pragma once
 
 #include <bit>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -33,8 +32,7 @@ using packet_lanes = pack<float, native_lanes<float>>;
 // Where all rays of a packet go forward along an axis, or all go backward: their numbers, and those of the whole. Gives
 // whether they do, by numbers of middling size.
 // A direction of 0 is as in turn_standing_axes.
-template <std::same_as<ray_packet> Packet>
-IRG_INLINE bool set_up_packet_axis(Packet& p, int axis, const float* origins, const float* directions,
+IRG_INLINE bool set_up_packet_axis(ray_packet& p, int axis, const float* origins, const float* directions,
                                    unsigned& standing) noexcept {
   using F = packet_lanes;
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
@@ -83,8 +81,7 @@ IRG_INLINE bool set_up_packet_axis(Packet& p, int axis, const float* origins, co
   return true;
 }
 
-template <std::same_as<ray_packet> Packet>
-IRG_INLINE float latest_of(const Packet& p) noexcept {
+IRG_INLINE float latest_of(const ray_packet& p) noexcept {
   using F = packet_lanes;
   F most = lanes<F>::load(p.high);
   for (int k = lanes<F>::count; k < ray_packet::size; k += lanes<F>::count)
@@ -93,8 +90,7 @@ IRG_INLINE float latest_of(const Packet& p) noexcept {
 }
 
 // The rays' lows and highs as the boxes', on the safe side. Gives whether all are in order.
-template <std::same_as<ray_packet> Packet>
-IRG_INLINE bool set_up_packet_times(Packet& p, float scale) noexcept {
+IRG_INLINE bool set_up_packet_times(ray_packet& p, float scale) noexcept {
   using F = packet_lanes;
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
   constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -119,8 +115,7 @@ IRG_INLINE bool set_up_packet_times(Packet& p, float scale) noexcept {
 
 // Gives whether the rays can go as one: they are not empty, go the same way along each axis, and their numbers are of
 // middling size.
-template <std::same_as<ray_packet> Packet>
-IRG_INLINE bool set_up_packet(Packet& p, const ray<float, 3>* rays, double scale) noexcept {
+IRG_INLINE bool set_up_packet(ray_packet& p, const ray<float, 3>* rays, double scale) noexcept {
   constexpr std::uint64_t least = 1023 - 50, range = 100;
   if ((std::bit_cast<std::uint64_t>(scale) >> 52) - least > range) return false;
   const float s = static_cast<float>(scale);
@@ -143,8 +138,7 @@ IRG_INLINE bool set_up_packet(Packet& p, const ray<float, 3>* rays, double scale
 }
 
 // A bit for each ray that meets box k of a node.
-template <std::same_as<ray_packet> Packet>
-IRG_INLINE unsigned rays_at_box(const Packet& p, const bvh_node& node, std::uint32_t k) noexcept {
+IRG_INLINE unsigned rays_at_box(const ray_packet& p, const bvh_node& node, std::uint32_t k) noexcept {
   using F = packet_lanes;
   const auto bound = [&](std::ptrdiff_t at) {
     return lanes<F>::broadcast(node.bounds[at + static_cast<std::ptrdiff_t>(k)]);

@@ -2,7 +2,6 @@
 // Four triangles side by side, and which of them a ray may cross.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -81,7 +80,7 @@ struct float_shear {
 IRG_INLINE constexpr bool sees_in_floats() noexcept { return has_lanes && !std::is_constant_evaluated(); }
 
 /// needs   m, which is not less than any coordinate in the tree seen from the origin
-IRG_INLINE void set_float_shear(std::same_as<float_shear> auto& s, const ray<float, 3>& r, double m) noexcept {
+IRG_INLINE void set_float_shear(float_shear& s, const ray<float, 3>& r, double m) noexcept {
   const vec<float, 3>& d = r.direction;
   s.z = magnitude(d[1]) > magnitude(d[0]) ? 1 : 0;
   if (magnitude(d[2]) > magnitude(d[s.z])) s.z = 2;
@@ -126,8 +125,7 @@ IRG_INLINE unsigned triangles_ahead(const float_shear& s, const At& at) noexcept
 }
 
 // The same for the triangles of a leaf: a bit for each of up to eight.
-IRG_INLINE unsigned leaf_ahead(const std::same_as<triangle_block<float>> auto* blocks, std::uint32_t leaf,
-                               const float_shear& s) noexcept {
+IRG_INLINE unsigned leaf_ahead(const triangle_block<float>* blocks, std::uint32_t leaf, const float_shear& s) noexcept {
   using half = pack<float, triangle_block<float>::width>;
   const std::uint32_t count = bvh_node::count_of(leaf);
   const auto* const first = blocks + bvh_node::number_of(leaf);
@@ -156,15 +154,14 @@ struct packet_shear {
   int x, y, z;
 };
 
-template <std::same_as<packet_shear> S>
-IRG_INLINE void set_packet_shear(S& s, double scale, const ray<float, 3>* rays) noexcept {
+IRG_INLINE void set_packet_shear(packet_shear& s, double scale, const ray<float, 3>* rays) noexcept {
   const vec<float, 3>& first = rays[0].direction;
   s.z = magnitude(first[1]) > magnitude(first[0]) ? 1 : 0;
   if (magnitude(first[2]) > magnitude(first[s.z])) s.z = 2;
   s.x = s.z == 2 ? 0 : s.z + 1;
   s.y = s.z == 0 ? 2 : s.z - 1;
   float steepest = 0, most = 0;
-  for (int k = 0; k < S::size; ++k) {
+  for (int k = 0; k < packet_shear::size; ++k) {
     const ray<float, 3>& r = rays[k];
     s.slope_x[k] = r.direction[s.x] / r.direction[s.z];
     s.slope_y[k] = r.direction[s.y] / r.direction[s.z];

@@ -280,17 +280,6 @@ IRG_INLINE constexpr unsigned meet_boxes(const bvh_node& node, const wide_box_ra
   return bits;
 }
 
-}  // namespace IRG_ABI
-
-/// Stands for ray_counts where nobody asks for them: no code is made.
-struct uncounted {};
-inline constexpr uncounted not_counted{};
-
-template <class C>
-concept RayCounts = std::same_as<C, ray_counts> || std::same_as<C, const uncounted>;
-
-inline namespace IRG_ABI {
-
 template <RayCounts C>
 IRG_INLINE constexpr void count_rays(C& counts, [[maybe_unused]] std::uint64_t rays) noexcept {
   if constexpr (std::same_as<C, ray_counts>) counts.rays += rays;
@@ -374,7 +363,7 @@ IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ra
   return at;
 }
 
-template <class F, box_arithmetic A, class Visit, RayCounts C = const uncounted>
+template <class F, box_arithmetic A, class Visit, RayCounts C = const uncounted_rays>
 IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, const Visit& visit,
                                       C& counts = not_counted) {
   bvh_walk walk;
@@ -412,7 +401,7 @@ IRG_INLINE constexpr void put_met(std::uint32_t* to, const bvh_node& node, unsig
 // The last child that is met comes next, or what waits on top where none is: both are known without a branch, which
 // would be guessed wrong at most nodes. So all wait for a moment, and the next is taken from the node itself. Below
 // stands what tells the end; an empty box that a ray meets whose times are not numbers is told from that.
-template <class F, box_arithmetic A, class Visit, RayCounts C = const uncounted>
+template <class F, box_arithmetic A, class Visit, RayCounts C = const uncounted_rays>
 IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r, const Visit& visit,
                                         C& counts = not_counted) {
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include <irg/core/conversion.hpp>
+#include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
@@ -26,6 +27,12 @@ template <Floating T>
 constexpr int turn_between(const segment<T, 2>& a, const segment<T, 2>& b) noexcept {
   const auto formula = [](const auto& x) { return (x[2] - x[0]) * (x[7] - x[5]) - (x[3] - x[1]) * (x[6] - x[4]); };
   return irg::sign_of<2>(formula, plane_numbers<T, 4>({a.a, a.b, b.a, b.b}));
+}
+
+// Whether two segments cross, each within the other.
+template <Floating T>
+constexpr bool cross_properly(const segment<T, 2>& e, const segment<T, 2>& o) noexcept {
+  return orient2d(e.a, e.b, o.a) * orient2d(e.a, e.b, o.b) < 0 && orient2d(o.a, o.b, e.a) * orient2d(o.a, o.b, e.b) < 0;
 }
 
 }  // namespace irg::detail::inline IRG_ABI
