@@ -13,7 +13,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/mesh/mesh.hpp>
-#include <irg/solid/detail/body_cutter.hpp>
+#include <irg/solid/detail/body_arrangement.hpp>
 #include <irg/solid/detail/seam_remover.hpp>
 #include <irg/solid/detail/shell_sides.hpp>
 #include <irg/solid/self_intersections.hpp>
@@ -169,7 +169,7 @@ constexpr solid_boolean_counts counts_of(const Cut& cut, const body_triangles& b
 
 // What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
 template <Floating T, class IsIn>
-constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
+constexpr solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
   const auto b = make_body_triangles(bodies);
   switch (b.fault) {
     case surface_fault::none: break;
@@ -177,10 +177,10 @@ constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>
     case surface_fault::open_edge: return {solid_boolean_status::open_edge, b.faulty};
     case surface_fault::edge_of_many_faces: return {solid_boolean_status::edge_of_many_faces, b.faulty};
   }
-  if (const std::uint32_t turned = shell_sides(b).find_inside_out(); turned != no_index)
+  if (const std::uint32_t turned = find_inside_out(b); turned != no_index)
     return {solid_boolean_status::not_a_body, turned};
-  body_cutter cut(b, is_in);
-  if (cut.failed || !are_cuts_closed(cut)) {
+  body_arrangement<> cut{b};
+  if (!arrange_bodies(cut, is_in) || !are_cuts_closed(cut)) {
     std::uint32_t culprit = cut.culprit;
     for (std::uint32_t i = 0; i < bodies.size() && culprit == no_index; ++i)
       if (!self_intersections(*bodies[i]).empty()) culprit = i;
@@ -216,7 +216,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
                                                               boolean_operation operation) {
-  return detail::combine_bodies<T>({&first, &second}, [operation](const std::vector<unsigned char>& in) {
+  return detail::boolean_of_bodies<T>({&first, &second}, [operation](const std::vector<unsigned char>& in) {
     return detail::is_in_combination(in[0] != 0, in[1] != 0, operation);
   });
 }
