@@ -162,7 +162,7 @@ constexpr void add_edge_part(const View& view, const grid_edge_part& p, Plot& ou
 
 // Every edge once, near ones first: the border that turns to the eye, then those that facets add.
 template <class View, class Visit>
-constexpr void each_edge(const View& view, const Visit& visit) {
+constexpr void each_grid_edge(const View& view, const Visit& visit) {
   const point<double, 3>& eye = view.eye;
   const grid_covering loops = covering_loops(view.surface.x, view.surface.z, eye.x, eye.z);
   for (int j = 0; j < loops.m; ++j) {
@@ -199,7 +199,7 @@ constexpr void add_horizon(const View& view, Plot& out) {
     if (!(depth > 0) || !is_number(p.y)) return point<double, 2>{nothing, nothing};
     return point<double, 2>{(product(p.x - eye.x, dz) - product(p.z - eye.z, dx)) / depth, (p.y - eye.y) / depth};
   };
-  each_edge(view, [&](int i, int j, bool along_z) {
+  each_grid_edge(view, [&](int i, int j, bool along_z) {
     edge e{{i, j, i + (along_z ? 0 : 1), j + (along_z ? 1 : 0), 0, 1}, {0, 0}};
     points.push_back(upright(view.point_at(i, j), e.depth[0]));
     points.push_back(upright(view.point_at(e.whole.i2, e.whole.j2), e.depth[1]));

@@ -51,7 +51,8 @@ template <class Surface>
     bool any = false;
     for (const double v : numbers) {
       if (!(magnitude(v) <= 0x1.fffffffffffffp1023)) continue;
-      low = any ? lesser(low, v) : v, high = any ? greater(high, v) : v;
+      low = any ? lesser(low, v) : v;
+      high = any ? greater(high, v) : v;
       any = true;
     }
   };

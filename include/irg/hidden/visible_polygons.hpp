@@ -236,7 +236,7 @@ template <DepthOrder Order, class Faces>
     numbers.push_back(f.number);
   }
   detail::window_cutting<detail::hiding_face> cells{hiding, numbers};
-  detail::cut_window(cells, window);
+  detail::cut_into_cells(cells, window);
   detail::cell_outlines<decltype(cells)> outlines{cells};
   detail::order_points(outlines);
   detail::collect_parts(outlines);

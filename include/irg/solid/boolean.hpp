@@ -4,6 +4,7 @@
 // through a face or crosses an edge, are rounded when they are handed out, and nowhere before.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -115,11 +116,9 @@ constexpr solid_corner_origin origin_of_corner(const Cut& cut, const body_triang
     for (std::size_t k = 0; k < 9; ++k) origin.of[k] = b.triangles[key.v[k / 3]].v[k % 3];
     return origin;
   }
-  origin.of[0] = key.v[0], origin.of[1] = key.v[1];
-  if (key.v[3] != no_index)
-    origin.of[2] = key.v[2], origin.of[3] = key.v[3];
-  else
-    for (std::size_t k = 0; k < 3; ++k) origin.of[2 + k] = b.triangles[key.v[2]].v[k];
+  const std::size_t corners = key.v[3] == no_index ? 2 : 4;
+  for (std::size_t k = 0; k < corners; ++k) origin.of[k] = key.v[k];
+  if (corners == 2) std::copy_n(b.triangles[key.v[2]].v, 3, origin.of + 2);
   return origin;
 }
 

@@ -173,10 +173,12 @@ private:
       close(p.over, w);
       put(p.over, {grid_mark_kind::crossing, p.edge, p.over});
     } else if (appears) {
-      w.open = true, w.since = p.over;
+      w.open = true;
+      w.since = p.over;
       put(p.edge, {grid_mark_kind::crossing, p.over, p.edge});
     }
-    w.first = false, w.hidden_by = p.over;
+    w.first = false;
+    w.hidden_by = p.over;
   }
   constexpr void close(grid_edge at, walker& w) {
     runs_.push_back({w.since, at});
@@ -283,8 +285,10 @@ private:
       const run& next = old ? runs_[i++] : added_[k++];
       if (merged_.empty() || !begins_within(g, next, merged_.back()))
         merged_.push_back(next);
-      else if (ends_behind(g, next, merged_.back()))
-        merged_.back().last = next.last, merged_.back().to = next.to;
+      else if (ends_behind(g, next, merged_.back())) {
+        merged_.back().last = next.last;
+        merged_.back().to = next.to;
+      }
     }
     runs_.swap(merged_);
   }

@@ -468,7 +468,7 @@ constexpr void cut_or_finish(Cutting& s, window_cell&& cell, std::vector<window_
 }
 
 template <class Cutting>
-constexpr void cut_window(Cutting& s, const cell_window& w) {
+constexpr void cut_into_cells(Cutting& s, const cell_window& w) {
   s.sides.reserve(3 * s.faces.size());
   for (std::uint32_t f = 0; f < s.faces.size(); ++f) {
     for (int i = 0; i < 3; ++i) s.sides.push_back(line_of_side(s.faces, f, i));

@@ -324,7 +324,7 @@ constexpr bool place_piece(Cut& c, std::uint32_t piece, part_sides& sides) {
   const cut_triangle& t = c.triangles[piece];
   const exact p = c.vertices.exact(t.v[0]), q = c.vertices.exact(t.v[1]), r = c.vertices.exact(t.v[2]);
   const exact middle = exact::mean_of(p, q, r);
-  const near_point<exact> at{middle, middle.rounded()};
+  const near_point<exact> at{middle};
   auto pair = std::lower_bound(c.coplanar.begin(), c.coplanar.end(), typename Cut::coplanar_pair{t.source, 0});
   for (; pair != c.coplanar.end() && pair->triangle == t.source; ++pair) {
     const std::uint32_t body = b.body[pair->other];
@@ -337,9 +337,7 @@ constexpr bool place_piece(Cut& c, std::uint32_t piece, part_sides& sides) {
     sides.is_known[body] = 1;
     (turn > 0 ? sides.below : sides.above)[body] = 1;
   }
-  const point<double, 3>& n = at.rounded;
-  const double slack = greater(greater(magnitude(n.x), magnitude(n.y)), magnitude(n.z)) * 0x1p-50 + 0x1p-1000;
-  return place_point(c, n, slack, sides, [&](const triangle_indices& other, upward_crossings& count) {
+  return place_point(c, at.rounded, at.slack(), sides, [&](const triangle_indices& other, upward_crossings& count) {
     count_exact_crossing(b.positions, other, at, count);
   });
 }

@@ -54,7 +54,10 @@ constexpr void append_body(body_triangles& b, const mesh<T>& m) {
   const auto first = static_cast<std::uint32_t>(b.positions.size());
   for (const point<T, 3>& p : m.positions) {
     b.positions.push_back({widened(p.x), widened(p.y), widened(p.z)});
-    if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) b.fault = surface_fault::not_finite, b.faulty = body;
+    if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) {
+      b.fault = surface_fault::not_finite;
+      b.faulty = body;
+    }
   }
   if (b.fault != surface_fault::none) return;
   const mesh<T> triangles = triangulate(m);
@@ -166,6 +169,13 @@ constexpr bool are_level(const Bodies& b, std::uint32_t s, std::uint32_t t) noex
   return orientation_along(seen.axis, at(t, 0), at(t, 1), at(t, 2)) == seen.turn;
 }
 
+template <class P>
+constexpr space_box box_of_triangle(const std::vector<P>& positions, const triangle_indices& t) noexcept {
+  space_box box = no_box();
+  for (const std::uint32_t v : t.v) box.add(positions[v]);
+  return box;
+}
+
 template <class Bodies>
 constexpr body_boxes boxes_of_bodies(const Bodies& b) {
   body_boxes boxes;
@@ -173,8 +183,7 @@ constexpr body_boxes boxes_of_bodies(const Bodies& b) {
   boxes.bodies.assign(b.ends.size(), no_box());
   std::vector<std::vector<std::uint32_t>> members(b.ends.size());
   for (std::uint32_t t = 0; t < b.triangles.size(); ++t) {
-    space_box box = no_box();
-    for (const std::uint32_t v : b.triangles[t].v) box.add(b.positions[v]);
+    const space_box box = box_of_triangle(b.positions, b.triangles[t]);
     boxes.triangles.push_back(box);
     boxes.bodies[b.body[t]].add(box);
     members[b.body[t]].push_back(t);
@@ -186,10 +195,7 @@ constexpr body_boxes boxes_of_bodies(const Bodies& b) {
 // Calls use(t) for the triangles of a body that may stand over p, or over a point within `slack` of it.
 template <class Boxes, class Use>
 constexpr void each_above(Boxes& boxes, std::uint32_t body, const point<double, 3>& p, double slack, const Use& use) {
-  const auto is_off = [&](const space_box& box) {
-    return p.x + slack < box.low[0] || box.high[0] < p.x - slack || p.y + slack < box.low[1] ||
-           box.high[1] < p.y - slack || box.high[2] < p.z - slack;
-  };
+  const auto is_off = [&](const space_box& box) { return is_off_ray_upward(box, p, slack); };
   if (!is_off(boxes.bodies[body])) boxes.trees[body].each(boxes.triangles, is_off, use);
 }
 

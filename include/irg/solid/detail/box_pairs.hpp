@@ -22,11 +22,12 @@ struct IRG_APART space_box {
 
   constexpr bool operator==(const space_box&) const = default;
 
-  constexpr void add(const point<double, 3>& p) noexcept {
-    for (int i = 0; i < 3; ++i) low[i] = lesser(low[i], p[i]), high[i] = greater(high[i], p[i]);
-  }
+  constexpr void add(const point<double, 3>& p) noexcept { add(space_box{{p.x, p.y, p.z}, {p.x, p.y, p.z}}); }
   constexpr void add(const space_box& b) noexcept {
-    for (int i = 0; i < 3; ++i) low[i] = lesser(low[i], b.low[i]), high[i] = greater(high[i], b.high[i]);
+    for (int i = 0; i < 3; ++i) {
+      low[i] = lesser(low[i], b.low[i]);
+      high[i] = greater(high[i], b.high[i]);
+    }
   }
   IRG_INLINE constexpr bool meets(const space_box& b) const noexcept {
     return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1] &&
@@ -51,6 +52,12 @@ constexpr bool begins_in(const space_box& a, const space_box& b, const space_box
       return false;
   }
   return true;
+}
+
+/// Whether nothing of a box is above p, nor above any point within `slack` of it.
+constexpr bool is_off_ray_upward(const space_box& box, const point<double, 3>& p, double slack) noexcept {
+  return p.x + slack < box.low[0] || box.high[0] < p.x - slack || p.y + slack < box.low[1] ||
+         box.high[1] < p.y - slack || box.high[2] < p.z - slack;
 }
 
 /// The halves of a box on either side of a place along an axis; false where the box is not on both sides of it.

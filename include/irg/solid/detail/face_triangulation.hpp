@@ -99,7 +99,7 @@ constexpr piece_walk pieces_round(const Face& f, std::uint32_t l) noexcept {
   return {l, f.piece_of[l], f.piece_of[l]};
 }
 template <class Face>
-constexpr void go_on(const Face& f, piece_walk& w) noexcept {
+constexpr void go_round(const Face& f, piece_walk& w) noexcept {
   const int k = side_from(f.pieces[w.at], w.l);
   w.at = f.pieces[w.at].beside[w.is_back ? k : (k + 2) % 3];
   if (w.is_back || (w.at != no_index && w.at != w.first)) return;
@@ -114,12 +114,12 @@ constexpr std::uint32_t piece_with(const Face& f, std::uint32_t a, std::uint32_t
   while (x.at != no_index) {
     const face_piece& one = f.pieces[x.at];
     if (one.v[(side_from(one, a) + 1) % 3] == b) return x.at;
-    go_on(f, x);
+    go_round(f, x);
     if (y.at == no_index) continue;
     const face_piece& other = f.pieces[y.at];
     const int k = side_from(other, b);
     if (other.v[(k + 1) % 3] == a && other.beside[k] != no_index) return other.beside[k];
-    go_on(f, y);
+    go_round(f, y);
   }
   return no_index;
 }
@@ -346,7 +346,7 @@ constexpr bool is_ahead(Face& f, std::uint32_t a, std::uint32_t b, std::uint32_t
 // Makes the edge from `at` to the next corner on the way to `end` a cut, and gives that corner.
 template <class Face>
 constexpr std::uint32_t advance_constraint(Face& f, std::uint32_t at, std::uint32_t end) {
-  for (piece_walk w = pieces_round(f, at); w.at != no_index; go_on(f, w)) {
+  for (piece_walk w = pieces_round(f, at); w.at != no_index; go_round(f, w)) {
     const face_piece& t = f.pieces[w.at];
     const int k = side_from(t, at);
     const std::uint32_t q = t.v[(k + 1) % 3], r = t.v[(k + 2) % 3];
