@@ -38,7 +38,10 @@ struct bernstein_stretch {
   // The sign of the polynomial all over the stretch, 0 where the coefficients do not tell.
   constexpr int sign() const noexcept {
     bool above = true, below = true;
-    for (const auto& v : c) above = above && v[0] > off, below = below && v[0] < -off;
+    for (const auto& v : c) {
+      above = above && v[0] > off;
+      below = below && v[0] < -off;
+    }
     return above ? 1 : below ? -1 : 0;
   }
   constexpr bool is_hidden() const noexcept {
@@ -151,7 +154,7 @@ constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::typ
       ++level, k *= 2;
       continue;
     }
-    while (k % 2 == 1) k /= 2, --level;
+    for (; k % 2 == 1; --level) k /= 2;
     if (level == 0) break;
     ++k;
   }

@@ -130,7 +130,10 @@ constexpr precise_escape_stats draw_mandelbrot(R& counts, const precise_escape_j
     }
   });
   precise_escape_stats stats{std::int64_t{width} * height, 0, 0};
-  for (const precise_escape_stats& s : of_row) stats.again += s.again, stats.unsure += s.unsure;
+  for (const precise_escape_stats& s : of_row) {
+    stats.again += s.again;
+    stats.unsure += s.unsure;
+  }
   return stats;
 }
 

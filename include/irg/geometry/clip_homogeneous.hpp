@@ -3,7 +3,7 @@
 // while it still has coordinates. Sutherland and Hodgman's algorithm for convex polygons, and the same cuts for
 // segments. Nothing is allocated.
 //
-// Two polygons that share an edge stay joined without a crack: a cut is always reckoned from the vertex inside to the
+// Two polygons that share an edge stay joined without a crack: a cut is always computed from the vertex inside to the
 // vertex outside, whichever way the edge is walked, and depends on nothing but these two.
 #pragma once
 
@@ -130,7 +130,7 @@ IRG_INLINE constexpr T clip_distance(const hpoint<T, 3>& p, clip_planes plane, c
   }
 }
 
-// Whether nothing that is reckoned from p overflows; false for NaN.
+// Whether nothing that is computed from p overflows; false for NaN.
 template <class T>
 IRG_INLINE constexpr bool can_clip(const hpoint<T, 3>& p, const clip_volume<T>& v) noexcept {
   if constexpr (Floating<T>) {

@@ -226,7 +226,10 @@ private:
   template <int Axis>
   constexpr V cut(int place, const V& to, std::ptrdiff_t by) const {
     const V *a = &stages_[Axis].last, *b = &to;
-    if (by != along_boundary) a = &edge_(by), b = &edge_(by + 1);
+    if (by != along_boundary) {
+      a = &edge_(by);
+      b = &edge_(by + 1);
+    }
     if (comes_before(position_of(*b), position_of(*a))) std::swap(a, b);
     const P &p = position_of(*a), &q = position_of(*b);
     const T x = bound<Axis>(place), low = coordinate(p, Axis), high = coordinate(q, Axis);

@@ -70,7 +70,10 @@ private:
 
   // The points farthest out in eight directions, nearly: any will do.
   constexpr void find_inner(std::uint32_t lowest, std::uint32_t highest, std::uint32_t n) noexcept {
-    for (auto& chain : inner_) chain[0] = chain[1] = chain[2] = chain[3] = lowest, chain[4] = highest;
+    for (auto& chain : inner_) {
+      chain[0] = chain[1] = chain[2] = chain[3] = lowest;
+      chain[4] = highest;
+    }
     if constexpr (std::is_arithmetic_v<ring_scalar<R>>) {
       double farthest[6];
       for (std::uint32_t i = 0; i < n; ++i) {
@@ -78,7 +81,10 @@ private:
         const double x = widened(coordinate(p, 0)) * 0.5, y = widened(coordinate(p, 1)) * 0.5;
         const double value[6] = {-x - y, -y, x - y, y - x, y, x + y};
         for (int k = 0; k < 6; ++k)
-          if (i == 0 || farthest[k] < value[k]) farthest[k] = value[k], inner_[k / 3][1 + k % 3] = i;
+          if (i == 0 || farthest[k] < value[k]) {
+            farthest[k] = value[k];
+            inner_[k / 3][1 + k % 3] = i;
+          }
       }
     }
   }

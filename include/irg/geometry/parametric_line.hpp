@@ -54,7 +54,8 @@ template <Point P>
 template <class T, int N>
 [[nodiscard]] constexpr mat<T, N, 2> columns_of(const parametric_line<T, N>& line) noexcept {
   mat<T, N, 2> m;
-  for (int i = 0; i < N; ++i) m(i, 0) = line.direction[i], m(i, 1) = line.origin[i];
+  for (int i = 0; i < N; ++i) m(i, 0) = line.direction[i];
+  for (int i = 0; i < N; ++i) m(i, 1) = line.origin[i];
   return m;
 }
 

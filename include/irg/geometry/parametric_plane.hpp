@@ -65,7 +65,9 @@ template <Point P>
 template <class T>
 [[nodiscard]] constexpr mat<T, 3, 3> columns_of(const parametric_plane<T>& p) noexcept {
   mat<T, 3, 3> m;
-  for (int i = 0; i < 3; ++i) m(i, 0) = p.first[i], m(i, 1) = p.second[i], m(i, 2) = p.origin[i];
+  for (int i = 0; i < 3; ++i) m(i, 0) = p.first[i];
+  for (int i = 0; i < 3; ++i) m(i, 1) = p.second[i];
+  for (int i = 0; i < 3; ++i) m(i, 2) = p.origin[i];
   return m;
 }
 
@@ -75,7 +77,9 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr mat<T, 3, 4> characteristic_matrix(const parametric_plane<T>& p) noexcept {
   mat<T, 3, 4> k;
-  for (int i = 0; i < 3; ++i) k(0, i) = p.first[i], k(1, i) = p.second[i], k(2, i) = p.origin[i];
+  for (int i = 0; i < 3; ++i) k(0, i) = p.first[i];
+  for (int i = 0; i < 3; ++i) k(1, i) = p.second[i];
+  for (int i = 0; i < 3; ++i) k(2, i) = p.origin[i];
   k(0, 3) = T(0), k(1, 3) = T(0), k(2, 3) = T(1);
   return k;
 }

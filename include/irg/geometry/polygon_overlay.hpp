@@ -173,7 +173,10 @@ constexpr bool cut_pieces(std::vector<boundary_piece<T>>& pieces, T tolerance, p
         return a.y == b.y ? comes_before(a, b) : (a.y < b.y) == (s.p.y < s.q.y);
       });
     point<T, 2> from = s.p;
-    for (const auto& at : cuts[i]) add_piece(result, from, at, s.times), from = at;
+    for (const auto& at : cuts[i]) {
+      add_piece(result, from, at, s.times);
+      from = at;
+    }
     add_piece(result, from, s.q, s.times);
   }
   pieces.swap(result);

@@ -59,7 +59,7 @@ inline namespace IRG_ABI {
 /// gives   no part without area. For a polygon that crosses itself one ring for each side, whose parts hang together
 ///         along the cut
 /// exact   sides are decided exactly for the plane's and the vertices' numbers as they are, and so is the order along
-///         the cut. A new point is at t = sa/(sa - sb) with sa and sb the plane's values at the ends, reckoned so that
+///         the cut. A new point is at t = sa/(sa - sb) with sa and sb the plane's values at the ends, computed so that
 ///         each coordinate is within 1 ulp of the exact one and between those of the ends; from either polygon at an
 ///         edge it is the same. t is within 1 ulp, too
 /// cost    linear, and the sorting of the points on the plane; allocates

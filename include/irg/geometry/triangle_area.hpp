@@ -134,7 +134,11 @@ template <Floating T>
   double y = widened(greater(lesser(a, b), lesser(greater(a, b), c)));
   if (!(a >= 0 && b >= 0 && c >= 0) || !is_finite(x)) return std::nullopt;
   const bool is_small = x < 0x1p-900;
-  if (is_small) x *= 0x1p100, y *= 0x1p100, z *= 0x1p100;
+  if (is_small) {
+    x *= 0x1p100;
+    y *= 0x1p100;
+    z *= 0x1p100;
+  }
   if (z < x - y) return std::nullopt;
   // The first and the last factor by quarters, so that they do not overflow.
   double factors = 1;

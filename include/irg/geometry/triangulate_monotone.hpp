@@ -224,7 +224,7 @@ private:
 // A chain from its newest vertex down. All but the lowest lie on one side, where the newest begins an edge; on the
 // other the lowest does. Seen from inside, it turns nowhere towards the inside.
 struct open_chain {
-  std::uint32_t top = 0xffffffffu;  // a link
+  std::uint32_t top = no_index;  // a link
   bool on_right = false;
 };
 
@@ -234,151 +234,18 @@ struct open_gap {
   open_chain first, second;
 };
 
-template <Scalar T>
-class monotone_chains {
-public:
-  using triangle = std::array<std::uint32_t, 3>;
-
-  constexpr monotone_chains(const std::vector<point<T, 2>>& points, std::vector<triangle>& out)
-      : points_(&points), out_(&out) {}
-
-  constexpr open_gap begin(std::uint32_t v) { return {{push(v, none), false}, {}}; }
-
-  // v is on the gap's left edge.
-  constexpr void add_left(open_gap& gap, std::uint32_t v) {
-    if (gap.second.top != none) {
-      fan(gap.first, v);
-      gap.first = gap.second;
-      gap.second = {};
-    }
-    extend(gap.first, v, false);
-  }
-  constexpr void add_right(open_gap& gap, std::uint32_t v) {
-    if (gap.second.top != none) {
-      fan(gap.second, v);
-      gap.second = {};
-    }
-    extend(gap.first, v, true);
-  }
-  // Both edges of the gap end at v.
-  constexpr void finish(open_gap& gap, std::uint32_t v) {
-    fan(gap.first, v);
-    if (gap.second.top != none) fan(gap.second, v);
-  }
-  // The outside begins at v, within the gap: returns the gap to its right and keeps the one to its left.
-  constexpr open_gap split(open_gap& gap, std::uint32_t v) {
-    open_gap right;
-    if (gap.second.top != none) {
-      right.first = gap.second;
-      gap.second = {};
-    } else {
-      const open_chain fresh{push(links_[gap.first.top].vertex, none), false};
-      right.first = gap.first.on_right ? fresh : gap.first;
-      if (!gap.first.on_right) gap.first = fresh;
-    }
-    extend(gap.first, v, true);
-    extend(right.first, v, false);
-    return right;
-  }
-  // The outside between two gaps ends at v.
-  constexpr void merge(open_gap& left, open_gap& right, std::uint32_t v) {
-    add_right(left, v);
-    add_left(right, v);
-    left.second = right.first;
-  }
-
-private:
-  static constexpr std::uint32_t none = no_index;
-  struct link {
-    std::uint32_t vertex, below;
-  };
-  const std::vector<point<T, 2>>* points_;
-  std::vector<triangle>* out_;
-  std::vector<link> links_;
-
-  constexpr std::uint32_t push(std::uint32_t v, std::uint32_t below) {
-    links_.push_back({v, below});
-    return static_cast<std::uint32_t>(links_.size() - 1);
-  }
-  constexpr void give(bool chain_on_right, std::uint32_t lower, std::uint32_t upper, std::uint32_t v) {
-    out_->push_back(chain_on_right ? triangle{lower, upper, v} : triangle{upper, lower, v});
-  }
-  // The triangles of v with every edge of the chain.
-  constexpr void fan(const open_chain& chain, std::uint32_t v) {
-    for (std::uint32_t upper = chain.top; links_[upper].below != none; upper = links_[upper].below)
-      give(chain.on_right, links_[links_[upper].below].vertex, links_[upper].vertex, v);
-  }
-  // Whether the chain turns towards the inside at `upper`, so that a triangle can be cut off there. Vertices at one
-  // place turn nowhere; they go at once, lest a corner that is made of several be taken for none.
-  constexpr bool can_cut(std::uint32_t lower, std::uint32_t upper, std::uint32_t v, bool on_right) const noexcept {
-    const point<T, 2>&a = (*points_)[lower], &b = (*points_)[upper], &c = (*points_)[v];
-    const int turn = orient2d(a, b, c);
-    return turn == 0 ? same_place(a, b) || same_place(b, c) : (turn > 0) == on_right;
-  }
-  // Adds v on the left or on the right.
-  constexpr void extend(open_chain& chain, std::uint32_t v, bool on_right) {
-    std::uint32_t top = chain.top;
-    if (chain.on_right != on_right && links_[top].below != none) {
-      fan(chain, v);
-      chain = {push(v, push(links_[top].vertex, none)), on_right};
-      return;
-    }
-    for (std::uint32_t below = links_[top].below; below != none; top = below, below = links_[top].below) {
-      const std::uint32_t lower = links_[below].vertex, upper = links_[top].vertex;
-      if (!can_cut(lower, upper, v, on_right)) break;
-      give(on_right, lower, upper, v);
-    }
-    chain = {push(v, top), on_right};
-  }
-};
-
 // The sweep of triangulate_monotone: from the lowest vertex up, edges in their order from left to right. Only where a
 // vertex begins two edges is a place looked for; all others stand where an edge ends. So an order in which edges that
 // coincide and vertices that touch edges lie beside each other, once chosen, is kept, and it suffices to see that
 // neighbours never change sides: then no edges cross.
 template <Scalar T>
-class monotone_sweep {
-public:
-  using triangle = std::array<std::uint32_t, 3>;
-
-  constexpr explicit monotone_sweep(std::vector<triangle>& out) : chains_(points_, out), out_(&out) {}
-
-  template <PlaneRing R>
-  constexpr void add_ring(const R& ring) {
-    const auto first = static_cast<std::uint32_t>(points_.size()), n = static_cast<std::uint32_t>(ring_size(ring));
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const auto p = ring_vertex(ring, i);
-      points_.push_back({coordinate(p, 0), coordinate(p, 1)});
-      next_.push_back(first + (i + 1 < n ? i + 1 : 0));
-      previous_.push_back(first + (i > 0 ? i - 1 : n - 1));
-    }
-    if (n < 3) {
-      for (std::uint32_t i = 0; i < n; ++i) next_[first + i] = none;
-      return;
-    }
-    rings_.push_back({first, n});
-    remove_folds(first, n);
-  }
-
-  // Whether no edges cross.
-  constexpr bool run() {
-    if (has_folds_ && whole_rings_cross()) return false;
-    for (std::uint32_t i = 0; i < points_.size(); ++i)
-      if (next_[i] != none) events_.push_back(i);
-    std::sort(events_.begin(), events_.end(),
-              [&](std::uint32_t i, std::uint32_t j) { return is_before(i, j) || (i < j && !is_before(j, i)); });
-    arriving_.assign(2 * points_.size(), none);
-    for (std::size_t begin = 0, end = 0; begin < events_.size(); begin = end) {
-      while (end < events_.size() && !is_before(events_[begin], events_[end])) ++end;
-      if (!pass(begin, end)) return false;
-    }
-    return true;
-  }
-
-private:
-  static constexpr std::uint32_t none = sweep_order<std::uint32_t>::none;
+struct monotone_sweep {
+  using coordinate_type = T;
+  struct link {
+    std::uint32_t vertex, below;
+  };
   struct edge {
-    std::uint32_t low = none, high = none;
+    std::uint32_t low = no_index, high = no_index;
     bool inside_on_right = false;
     open_gap gap;  // to the right, where that is inside
   };
@@ -386,188 +253,320 @@ private:
     std::uint32_t first, size;
   };
 
-  std::vector<point<T, 2>> points_;
-  std::vector<std::uint32_t> next_, previous_;  // next_ is none for a vertex that has been removed
-  std::vector<ring_range> rings_;
-  bool has_folds_ = false;
-  monotone_chains<T> chains_;
-  std::vector<triangle>* out_;
-  std::vector<std::uint32_t> events_, arriving_;  // the edges that come to a vertex from its neighbours
-  sweep_order<std::uint32_t> order_;
-  std::vector<edge> edges_;
-  std::vector<std::uint32_t> unused_, starts_, changed_;
+  std::vector<std::array<std::uint32_t, 3>>& triangles;
+  std::vector<point<T, 2>> points{};
+  std::vector<std::uint32_t> next{}, previous{};  // next is none for a vertex that has been removed
+  std::vector<ring_range> rings{};
+  bool has_folds = false;
+  std::vector<link> links{};  // of all chains
+  std::vector<std::uint32_t> events{}, arriving{};  // the edges that come to a vertex from its neighbours
+  sweep_order<std::uint32_t> order{};
+  std::vector<edge> edges{};
+  std::vector<std::uint32_t> unused{}, starts{}, changed{};
 
-  constexpr const point<T, 2>& at(std::uint32_t i) const noexcept { return points_[i]; }
+  constexpr const point<T, 2>& at(std::uint32_t i) const noexcept { return points[i]; }
   constexpr bool is_before(std::uint32_t i, std::uint32_t j) const noexcept { return is_lower(at(i), at(j)); }
   constexpr int turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const noexcept {
-    return orient2d(points_[i], points_[j], points_[k]);
-  }
-
-  // The sweep sees the rings without their folds, which may cross what is left.
-  constexpr bool whole_rings_cross() const {
-    crossing_search<T> search;
-    for (const ring_range& r : rings_) search.add_ring(points_, r.first, r.size);
-    return search.run();
-  }
-
-  // Vertices where the ring stands still or turns back go, as triangles without area.
-  constexpr void remove_folds(std::uint32_t first, std::uint32_t n) {
-    std::uint32_t left = n;
-    for (std::uint32_t i = first, quiet = 0; quiet < left;) {
-      const std::uint32_t before = previous_[i], after = next_[i];
-      if (!is_fold(at(before), at(i), at(after))) {
-        ++quiet;
-        i = after;
-        continue;
-      }
-      has_folds_ = true;
-      out_->push_back({before, i, after});
-      next_[before] = after;
-      previous_[after] = before;
-      next_[i] = none;
-      quiet = 0;
-      if (--left == 2) {
-        next_[before] = next_[after] = none;
-        return;
-      }
-      i = before;
-    }
-  }
-
-  // All vertices at one place: first the ends of edges, then what goes on, then the beginnings.
-  constexpr bool pass(std::size_t begin, std::size_t end) {
-    starts_.clear();
-    changed_.clear();
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t v = events_[k];
-      const bool from_previous = is_before(previous_[v], v), from_next = is_before(next_[v], v);
-      if (from_previous && from_next)
-        end_edges(v);
-      else if (!from_previous && !from_next)
-        starts_.push_back(v);
-    }
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t v = events_[k];
-      const bool from_previous = is_before(previous_[v], v), from_next = is_before(next_[v], v);
-      if (from_previous && from_next && arriving_[2 * v] != none) return false;  // others lie between its edges
-      if (from_previous != from_next) go_on(v, from_previous);
-    }
-    if (starts_.size() > 1) sort_starts();
-    for (const std::uint32_t v : starts_)
-      if (!start_edges(v)) return false;
-    for (const std::uint32_t e : changed_)
-      if (!in_order(e)) return false;
-    return true;
-  }
-
-  // Ends the two edges that meet at v if they are neighbours, and then those around them that meet at the same place.
-  constexpr void end_edges(std::uint32_t v) {
-    for (;;) {
-      std::uint32_t l = arriving_[2 * v], r = arriving_[2 * v + 1];
-      if (l == none) return;
-      if (order_.next(l) != r) std::swap(l, r);
-      if (order_.next(l) != r) return;
-      const std::uint32_t before = order_.previous(l), after = order_.next(r);
-      if (edges_[l].inside_on_right)
-        chains_.finish(edges_[l].gap, v);
-      else
-        chains_.merge(edges_[before].gap, edges_[r].gap, v);
-      for (const std::uint32_t e : {l, r}) {
-        order_.erase(e);
-        edges_[e].high = none;
-        unused_.push_back(e);
-      }
-      arriving_[2 * v] = arriving_[2 * v + 1] = none;
-      if (before == none || after == none) return;
-      changed_.push_back(before);
-      const std::uint32_t next = edges_[before].high;
-      if (next != edges_[after].high || is_before(v, next)) return;
-      v = next;
-    }
-  }
-
-  constexpr void go_on(std::uint32_t v, bool from_previous) {
-    const std::uint32_t e = arriving_[2 * v + (from_previous ? 0 : 1)];
-    if (edges_[e].inside_on_right)
-      chains_.add_left(edges_[e].gap, v);
-    else
-      chains_.add_right(edges_[order_.previous(e)].gap, v);
-    lead(e, v, from_previous);
-  }
-
-  // Lets edge e run from v to its next or previous vertex.
-  constexpr void lead(std::uint32_t e, std::uint32_t v, bool to_next) {
-    edges_[e].low = v;
-    edges_[e].high = to_next ? next_[v] : previous_[v];
-    arriving_[2 * edges_[e].high + (to_next ? 0 : 1)] = e;
-    changed_.push_back(e);
-  }
-
-  constexpr bool next_is_left(std::uint32_t v) const noexcept { return turn(v, previous_[v], next_[v]) > 0; }
-
-  // From left to right by their left edges, the wider ones first: wedges within others come after them.
-  constexpr void sort_starts() {
-    const auto ends = [&](std::uint32_t v) {
-      return next_is_left(v) ? std::array{next_[v], previous_[v]} : std::array{previous_[v], next_[v]};
-    };
-    std::sort(starts_.begin(), starts_.end(), [&](std::uint32_t u, std::uint32_t v) {
-      const auto a = ends(u), b = ends(v);
-      const int left = turn(u, a[0], b[0]), right = turn(u, a[1], b[1]);
-      return left != 0 ? left < 0 : right != 0 ? right > 0 : u < v;
-    });
-  }
-
-  constexpr bool start_edges(std::uint32_t v) {
-    std::uint32_t before = none;
-    for (std::uint32_t e = order_.root(); e != none;) {
-      int side = turn(edges_[e].low, edges_[e].high, v);
-      if (side == 0) {  // v is on it: where v's own edges lie decides
-        const int a = turn(edges_[e].low, edges_[e].high, previous_[v]);
-        const int b = turn(edges_[e].low, edges_[e].high, next_[v]);
-        if (a * b < 0) return false;
-        side = a + b;
-      }
-      if (side <= 0) before = e;
-      e = side > 0 ? order_.left(e) : order_.right(e);
-    }
-    const std::uint32_t l = new_edge(), r = new_edge();
-    const bool to_next = next_is_left(v);
-    order_.insert_after(before, l);
-    order_.insert_after(l, r);
-    const bool inside = before != none && edges_[before].inside_on_right;
-    edges_[l].inside_on_right = !inside;
-    edges_[r].inside_on_right = inside;
-    if (inside)
-      edges_[r].gap = chains_.split(edges_[before].gap, v);
-    else
-      edges_[l].gap = chains_.begin(v);
-    lead(l, v, to_next);
-    lead(r, v, !to_next);
-    return true;
-  }
-
-  constexpr std::uint32_t new_edge() {
-    if (unused_.empty()) {
-      unused_.push_back(static_cast<std::uint32_t>(edges_.size()));
-      edges_.push_back({});
-    }
-    const std::uint32_t e = unused_.back();
-    unused_.pop_back();
-    edges_[e] = {};
-    return e;
-  }
-
-  // Whether edge e, if it is still there, keeps to its side of its neighbours as far as they go beside each other.
-  constexpr bool in_order(std::uint32_t e) const noexcept {
-    if (edges_[e].high == none) return true;
-    const std::uint32_t before = order_.previous(e), after = order_.next(e);
-    return (before == none || in_order(edges_[before], edges_[e])) &&
-           (after == none || in_order(edges_[e], edges_[after]));
-  }
-  constexpr bool in_order(const edge& l, const edge& r) const noexcept {
-    return is_before(r.high, l.high) ? turn(l.low, l.high, r.high) <= 0 : turn(r.low, r.high, l.high) >= 0;
+    return orient2d(at(i), at(j), at(k));
   }
 };
+
+template <class Sweep>
+constexpr std::uint32_t push_link(Sweep& s, std::uint32_t v, std::uint32_t below) {
+  s.links.push_back({v, below});
+  return static_cast<std::uint32_t>(s.links.size() - 1);
+}
+template <class Sweep>
+constexpr void add_triangle(Sweep& s, bool on_right, std::uint32_t lower, std::uint32_t upper, std::uint32_t v) {
+  s.triangles.push_back(on_right ? std::array{lower, upper, v} : std::array{upper, lower, v});
+}
+// The triangles of v with every edge of the chain.
+template <class Sweep>
+constexpr void add_fan(Sweep& s, const open_chain& chain, std::uint32_t v) {
+  for (std::uint32_t upper = chain.top; s.links[upper].below != no_index; upper = s.links[upper].below)
+    add_triangle(s, chain.on_right, s.links[s.links[upper].below].vertex, s.links[upper].vertex, v);
+}
+// Whether the chain turns towards the inside at `upper`, so that a triangle can be cut off there. Vertices at one
+// place turn nowhere; they go at once, lest a corner that is made of several be taken for no_index.
+template <class Sweep>
+constexpr bool can_cut(const Sweep& s, std::uint32_t lower, std::uint32_t upper, std::uint32_t v,
+                       bool on_right) noexcept {
+  const int turn = s.turn(lower, upper, v);
+  if (turn != 0) return (turn > 0) == on_right;
+  return same_place(s.at(lower), s.at(upper)) || same_place(s.at(upper), s.at(v));
+}
+// Adds v on the left or on the right.
+template <class Sweep>
+constexpr void extend_chain(Sweep& s, open_chain& chain, std::uint32_t v, bool on_right) {
+  std::uint32_t top = chain.top;
+  if (chain.on_right != on_right && s.links[top].below != no_index) {
+    add_fan(s, chain, v);
+    chain = {push_link(s, v, push_link(s, s.links[top].vertex, no_index)), on_right};
+    return;
+  }
+  for (std::uint32_t below = s.links[top].below; below != no_index; top = below, below = s.links[top].below) {
+    const std::uint32_t lower = s.links[below].vertex, upper = s.links[top].vertex;
+    if (!can_cut(s, lower, upper, v, on_right)) break;
+    add_triangle(s, on_right, lower, upper, v);
+  }
+  chain = {push_link(s, v, top), on_right};
+}
+template <class Sweep>
+constexpr open_gap begin_gap(Sweep& s, std::uint32_t v) {
+  return {{push_link(s, v, no_index), false}, {}};
+}
+
+// v is on the gap's left or right edge.
+template <class Sweep>
+constexpr void add_to_gap(Sweep& s, open_gap& gap, std::uint32_t v, bool on_right) {
+  if (gap.second.top != no_index) {
+    add_fan(s, on_right ? gap.second : gap.first, v);
+    if (!on_right) gap.first = gap.second;
+    gap.second = {};
+  }
+  extend_chain(s, gap.first, v, on_right);
+}
+// Both edges of the gap end at v.
+template <class Sweep>
+constexpr void finish_gap(Sweep& s, open_gap& gap, std::uint32_t v) {
+  add_fan(s, gap.first, v);
+  if (gap.second.top != no_index) add_fan(s, gap.second, v);
+}
+// The outside begins at v, within the gap: returns the gap to its right and keeps the one to its left.
+template <class Sweep>
+constexpr open_gap split_gap(Sweep& s, open_gap& gap, std::uint32_t v) {
+  open_gap right;
+  if (gap.second.top != no_index) {
+    right.first = gap.second;
+    gap.second = {};
+  } else {
+    const open_chain fresh{push_link(s, s.links[gap.first.top].vertex, no_index), false};
+    right.first = gap.first.on_right ? fresh : gap.first;
+    if (!gap.first.on_right) gap.first = fresh;
+  }
+  extend_chain(s, gap.first, v, true);
+  extend_chain(s, right.first, v, false);
+  return right;
+}
+// The outside between two gaps ends at v.
+template <class Sweep>
+constexpr void merge_gaps(Sweep& s, open_gap& left, open_gap& right, std::uint32_t v) {
+  add_to_gap(s, left, v, true);
+  add_to_gap(s, right, v, false);
+  left.second = right.first;
+}
+
+// The sweep sees the rings without their folds, which may cross what is left.
+template <class Sweep>
+constexpr bool whole_rings_cross(const Sweep& s) {
+  crossing_search<typename Sweep::coordinate_type> search;
+  for (const auto& r : s.rings) search.add_ring(s.points, r.first, r.size);
+  return search.run();
+}
+
+// Vertices where the ring stands still or turns back go, as triangles without area.
+template <class Sweep>
+constexpr void remove_folds(Sweep& s, std::uint32_t first, std::uint32_t n) {
+  std::uint32_t left = n;
+  for (std::uint32_t i = first, quiet = 0; quiet < left;) {
+    const std::uint32_t before = s.previous[i], after = s.next[i];
+    if (!is_fold(s.at(before), s.at(i), s.at(after))) {
+      ++quiet;
+      i = after;
+      continue;
+    }
+    s.has_folds = true;
+    s.triangles.push_back({before, i, after});
+    s.next[before] = after;
+    s.previous[after] = before;
+    s.next[i] = no_index;
+    quiet = 0;
+    if (--left == 2) {
+      s.next[before] = s.next[after] = no_index;
+      return;
+    }
+    i = before;
+  }
+}
+
+// Ends the two edges that meet at v if they are neighbours, and then those around them that meet at the same place.
+template <class Sweep>
+constexpr void end_edges(Sweep& s, std::uint32_t v) {
+  for (;;) {
+    std::uint32_t l = s.arriving[2 * v], r = s.arriving[2 * v + 1];
+    if (l == no_index) return;
+    if (s.order.next(l) != r) std::swap(l, r);
+    if (s.order.next(l) != r) return;
+    const std::uint32_t before = s.order.previous(l), after = s.order.next(r);
+    if (s.edges[l].inside_on_right)
+      finish_gap(s, s.edges[l].gap, v);
+    else
+      merge_gaps(s, s.edges[before].gap, s.edges[r].gap, v);
+    for (const std::uint32_t e : {l, r}) {
+      s.order.erase(e);
+      s.edges[e].high = no_index;
+      s.unused.push_back(e);
+    }
+    s.arriving[2 * v] = s.arriving[2 * v + 1] = no_index;
+    if (before == no_index || after == no_index) return;
+    s.changed.push_back(before);
+    const std::uint32_t next = s.edges[before].high;
+    if (next != s.edges[after].high || s.is_before(v, next)) return;
+    v = next;
+  }
+}
+
+// Lets edge e run from v to its next or previous vertex.
+template <class Sweep>
+constexpr void lead_edge(Sweep& s, std::uint32_t e, std::uint32_t v, bool to_next) {
+  s.edges[e].low = v;
+  s.edges[e].high = to_next ? s.next[v] : s.previous[v];
+  s.arriving[2 * s.edges[e].high + (to_next ? 0 : 1)] = e;
+  s.changed.push_back(e);
+}
+
+template <class Sweep>
+constexpr void continue_edge(Sweep& s, std::uint32_t v, bool from_previous) {
+  const std::uint32_t e = s.arriving[2 * v + (from_previous ? 0 : 1)];
+  if (s.edges[e].inside_on_right)
+    add_to_gap(s, s.edges[e].gap, v, false);
+  else
+    add_to_gap(s, s.edges[s.order.previous(e)].gap, v, true);
+  lead_edge(s, e, v, from_previous);
+}
+
+template <class Sweep>
+constexpr bool next_is_left(const Sweep& s, std::uint32_t v) noexcept {
+  return s.turn(v, s.previous[v], s.next[v]) > 0;
+}
+
+// From left to right by their left edges, the wider ones first: wedges within others come after them.
+template <class Sweep>
+constexpr void sort_starts(Sweep& s) {
+  const auto ends = [&](std::uint32_t v) {
+    return next_is_left(s, v) ? std::array{s.next[v], s.previous[v]} : std::array{s.previous[v], s.next[v]};
+  };
+  std::sort(s.starts.begin(), s.starts.end(), [&](std::uint32_t u, std::uint32_t v) {
+    const auto a = ends(u), b = ends(v);
+    const int left = s.turn(u, a[0], b[0]), right = s.turn(u, a[1], b[1]);
+    return left != 0 ? left < 0 : right != 0 ? right > 0 : u < v;
+  });
+}
+
+template <class Sweep>
+constexpr std::uint32_t new_edge(Sweep& s) {
+  if (s.unused.empty()) {
+    s.unused.push_back(static_cast<std::uint32_t>(s.edges.size()));
+    s.edges.push_back({});
+  }
+  const std::uint32_t e = s.unused.back();
+  s.unused.pop_back();
+  s.edges[e] = {};
+  return e;
+}
+
+template <class Sweep>
+constexpr bool start_edges(Sweep& s, std::uint32_t v) {
+  std::uint32_t before = no_index;
+  for (std::uint32_t e = s.order.root(); e != no_index;) {
+    int side = s.turn(s.edges[e].low, s.edges[e].high, v);
+    if (side == 0) {  // v is on it: where v's own edges lie decides
+      const int a = s.turn(s.edges[e].low, s.edges[e].high, s.previous[v]);
+      const int b = s.turn(s.edges[e].low, s.edges[e].high, s.next[v]);
+      if (a * b < 0) return false;
+      side = a + b;
+    }
+    if (side <= 0) before = e;
+    e = side > 0 ? s.order.left(e) : s.order.right(e);
+  }
+  const std::uint32_t l = new_edge(s), r = new_edge(s);
+  const bool to_next = next_is_left(s, v);
+  s.order.insert_after(before, l);
+  s.order.insert_after(l, r);
+  const bool inside = before != no_index && s.edges[before].inside_on_right;
+  s.edges[l].inside_on_right = !inside;
+  s.edges[r].inside_on_right = inside;
+  if (inside)
+    s.edges[r].gap = split_gap(s, s.edges[before].gap, v);
+  else
+    s.edges[l].gap = begin_gap(s, v);
+  lead_edge(s, l, v, to_next);
+  lead_edge(s, r, v, !to_next);
+  return true;
+}
+
+// Whether edge e, if it is still there, keeps to its side of its neighbours as far as they go beside each other.
+template <class Sweep>
+constexpr bool keeps_order(const Sweep& s, std::uint32_t e) noexcept {
+  if (s.edges[e].high == no_index) return true;
+  const std::uint32_t before = s.order.previous(e), after = s.order.next(e);
+  return (before == no_index || keeps_order(s, s.edges[before], s.edges[e])) &&
+         (after == no_index || keeps_order(s, s.edges[e], s.edges[after]));
+}
+template <class Sweep>
+constexpr bool keeps_order(const Sweep& s, const typename Sweep::edge& l, const typename Sweep::edge& r) noexcept {
+  return s.is_before(r.high, l.high) ? s.turn(l.low, l.high, r.high) <= 0 : s.turn(r.low, r.high, l.high) >= 0;
+}
+
+template <class Sweep, PlaneRing R>
+constexpr void add_sweep_ring(Sweep& s, const R& ring) {
+  const auto first = static_cast<std::uint32_t>(s.points.size()), n = static_cast<std::uint32_t>(ring_size(ring));
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const auto p = ring_vertex(ring, i);
+    s.points.push_back({coordinate(p, 0), coordinate(p, 1)});
+    s.next.push_back(first + (i + 1 < n ? i + 1 : 0));
+    s.previous.push_back(first + (i > 0 ? i - 1 : n - 1));
+  }
+  if (n < 3) {
+    for (std::uint32_t i = 0; i < n; ++i) s.next[first + i] = no_index;
+    return;
+  }
+  s.rings.push_back({first, n});
+  remove_folds(s, first, n);
+}
+
+// All vertices at one place: first the ends of edges, then what goes on, then the beginnings.
+template <class Sweep>
+constexpr bool handle_vertices(Sweep& s, std::size_t begin, std::size_t end) {
+  s.starts.clear();
+  s.changed.clear();
+  for (std::size_t k = begin; k < end; ++k) {
+    const std::uint32_t v = s.events[k];
+    const bool from_previous = s.is_before(s.previous[v], v), from_next = s.is_before(s.next[v], v);
+    if (from_previous && from_next)
+      end_edges(s, v);
+    else if (!from_previous && !from_next)
+      s.starts.push_back(v);
+  }
+  for (std::size_t k = begin; k < end; ++k) {
+    const std::uint32_t v = s.events[k];
+    const bool from_previous = s.is_before(s.previous[v], v), from_next = s.is_before(s.next[v], v);
+    if (from_previous && from_next && s.arriving[2 * v] != no_index) return false;  // others lie between its edges
+    if (from_previous != from_next) continue_edge(s, v, from_previous);
+  }
+  if (s.starts.size() > 1) sort_starts(s);
+  for (const std::uint32_t v : s.starts)
+    if (!start_edges(s, v)) return false;
+  for (const std::uint32_t e : s.changed)
+    if (!keeps_order(s, e)) return false;
+  return true;
+}
+
+// Whether no edges cross.
+template <class Sweep>
+constexpr bool sweep_upwards(Sweep& s) {
+  if (s.has_folds && whole_rings_cross(s)) return false;
+  for (std::uint32_t i = 0; i < s.points.size(); ++i)
+    if (s.next[i] != no_index) s.events.push_back(i);
+  std::sort(s.events.begin(), s.events.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return s.is_before(i, j) || (i < j && !s.is_before(j, i)); });
+  s.arriving.assign(2 * s.points.size(), no_index);
+  for (std::size_t begin = 0, end = 0; begin < s.events.size(); begin = end) {
+    while (end < s.events.size() && !s.is_before(s.events[begin], s.events[end])) ++end;
+    if (!handle_vertices(s, begin, end)) return false;
+  }
+  return true;
+}
 
 }  // namespace irg::detail::inline IRG_ABI
 
@@ -577,15 +576,15 @@ template <PlanePolygon P>
 [[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon) {
   if (!irg::is_finite(polygon)) return {triangulation_state::not_finite, {}};
   triangulation result;
-  detail::monotone_sweep<scalar_of<polygon_point<P>>> sweep(result.triangles);
+  detail::monotone_sweep<scalar_of<polygon_point<P>>> sweep{result.triangles};
   bool clockwise = false, first = true;
   detail::each_ring(polygon, [&](const auto& ring) {
     if (first) clockwise = detail::shoelace_sign(ring) < 0;
     first = false;
-    sweep.add_ring(ring);
+    detail::add_sweep_ring(sweep, ring);
     return true;
   });
-  if (!sweep.run()) {
+  if (!detail::sweep_upwards(sweep)) {
     result.state = triangulation_state::crossing;
     result.triangles.clear();
   }

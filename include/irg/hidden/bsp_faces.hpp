@@ -182,7 +182,8 @@ constexpr pixels_in_plane find_pixels_in_plane(const pixel_hull& h, const screen
   int a = dx < 0 ? -dx : dx, b = dy < 0 ? -dy : dy;
   while (b != 0) {
     const int rest = a % b;
-    a = b, b = rest;
+    a = b;
+    b = rest;
   }
   if (a != 0) found.step = {dx / a, dy / a};
   return found;

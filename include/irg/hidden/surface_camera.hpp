@@ -44,7 +44,8 @@ template <class Surface>
     bool any = false;
     for (const double v : numbers) {
       if (!is_finite(v)) continue;
-      low = any ? lesser(low, v) : v, high = any ? greater(high, v) : v;
+      low = any ? lesser(low, v) : v;
+      high = any ? greater(high, v) : v;
       any = true;
     }
   };

@@ -85,113 +85,109 @@ struct outline_step {
   }
 };
 
-template <class Cutter>
-class cell_outlines {
-public:
-  constexpr explicit cell_outlines(const Cutter& cutter) : cutter_(cutter) {
-    order_points();
-    collect_parts();
-    join_parts();
-  }
-
+template <class Cells>
+struct cell_outlines {
+  const Cells& cells;
   std::vector<std::uint32_t> points{};  // one of each place, by x, then y
+  std::vector<std::uint32_t> rank{};  // of each point of the cells its place
+  std::vector<outline_part> parts{};
   std::vector<outline_step> steps{};  // of all rings
-
-private:
-  constexpr void order_points() {
-    const auto& all = cutter_.points;
-    std::vector<std::uint32_t> sorted(all.size(), 0u);
-    for (std::size_t i = 0; i < all.size(); ++i) sorted[i] = static_cast<std::uint32_t>(i);
-    const auto order = [&](std::uint32_t i, std::uint32_t j) {
-      const int by_x = cutter_.compare_coordinate(0, all[i], all[j]);
-      return by_x != 0 ? by_x : cutter_.compare_coordinate(1, all[i], all[j]);
-    };
-    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t i, std::uint32_t j) { return order(i, j) < 0; });
-    rank_.assign(all.size(), 0u);
-    for (const std::uint32_t i : sorted) {
-      if (points.empty() || order(points.back(), i) != 0) points.push_back(i);
-      rank_[i] = static_cast<std::uint32_t>(points.size() - 1);
-    }
-  }
-
-  // Along each line by which cells were parted, the numbers on both sides: places on a line have the order of points.
-  constexpr void collect_parts() {
-    std::vector<outline_part> sides;
-    for (const finished_cell& cell : cutter_.cells)
-      for (std::size_t i = 0; i < cell.corners.size(); ++i) {
-        const cell_corner& c = cell.corners[i];
-        const cell_corner& next = cell.corners[i + 1 == cell.corners.size() ? 0 : i + 1];
-        outline_part part{c.line, rank_[c.point], rank_[next.point]};
-        const bool back = part.from > part.to;
-        if (back) std::swap(part.from, part.to);
-        part.number[back ? 1 : 0] = cell.number;
-        sides.push_back(part);
-      }
-    std::sort(sides.begin(), sides.end(), [](const outline_part& a, const outline_part& b) {
-      return a.line != b.line ? a.line < b.line : a.from != b.from ? a.from < b.from : a.number[0] < b.number[0];
-    });
-    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-      while (end < sides.size() && sides[end].line == sides[i].line) ++end;
-      collect_line({sides.data() + i, end - i});
-    }
-  }
-
-  // The parts of either side of a line lie apart from each other and come in order.
-  constexpr void collect_line(std::span<const outline_part> sides) {
-    places_.clear();
-    for (const outline_part& s : sides) {
-      places_.push_back(s.from);
-      places_.push_back(s.to);
-    }
-    std::sort(places_.begin(), places_.end());
-    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
-    std::size_t next = 0;
-    outline_part on[2];
-    for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
-      for (; next < sides.size() && sides[next].from == places_[k]; ++next)
-        on[sides[next].number[0] == beside_window ? 1 : 0] = sides[next];
-      outline_part part{sides[0].line, places_[k], places_[k + 1]};
-      for (int s = 0; s < 2; ++s)
-        if (on[s].to > places_[k]) part.number[s] = on[s].number[s];
-      if (part.number[0] != part.number[1]) parts_.push_back(part);
-    }
-  }
-
-  // Parts that only continue each other become one.
-  constexpr void join_parts() {
-    struct ends {
-      std::uint32_t count = 0, to = 0, from = 0;
-    };
-    std::vector<ends> at(points.size(), ends{});
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      ends &start = at[parts_[i].from], &end = at[parts_[i].to];
-      ++start.count;
-      ++end.count;
-      start.from = static_cast<std::uint32_t>(i + 1);
-      end.to = static_cast<std::uint32_t>(i + 1);
-    }
-    const auto goes_on = [&](std::uint32_t place) {
-      const ends& e = at[place];
-      return e.count == 2 && e.to != 0 && e.from != 0 &&
-             cutter_.are_parallel(cutter_.lines[parts_[e.to - 1].line], cutter_.lines[parts_[e.from - 1].line]);
-    };
-    std::vector<std::uint8_t> passed(points.size(), std::uint8_t{0});
-    for (std::size_t i = 0; i < passed.size(); ++i)
-      passed[i] = goes_on(static_cast<std::uint32_t>(i)) ? std::uint8_t{1} : std::uint8_t{0};
-    for (const outline_part& p : parts_) {
-      if (passed[p.from] != 0) continue;
-      std::uint32_t to = p.to;
-      while (passed[to] != 0) to = parts_[at[to].from - 1].to;
-      if (p.number[0] != beside_window) steps.push_back({static_cast<std::uint32_t>(p.number[0]), p.from, to});
-      if (p.number[1] != beside_window) steps.push_back({static_cast<std::uint32_t>(p.number[1]), to, p.from});
-    }
-    std::sort(steps.begin(), steps.end());
-  }
-
-  const Cutter& cutter_;
-  std::vector<std::uint32_t> rank_{}, places_{};
-  std::vector<outline_part> parts_{};
+  std::vector<std::uint32_t> places{};  // on one line
 };
+
+template <class Outlines>
+constexpr void order_points(Outlines& o) {
+  const auto& all = o.cells.points;
+  std::vector<std::uint32_t> sorted(all.size(), 0u);
+  for (std::size_t i = 0; i < all.size(); ++i) sorted[i] = static_cast<std::uint32_t>(i);
+  const auto order = [&](std::uint32_t i, std::uint32_t j) {
+    const int by_x = compare_coordinate(o.cells, 0, all[i], all[j]);
+    return by_x != 0 ? by_x : compare_coordinate(o.cells, 1, all[i], all[j]);
+  };
+  std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t i, std::uint32_t j) { return order(i, j) < 0; });
+  o.rank.assign(all.size(), 0u);
+  for (const std::uint32_t i : sorted) {
+    if (o.points.empty() || order(o.points.back(), i) != 0) o.points.push_back(i);
+    o.rank[i] = static_cast<std::uint32_t>(o.points.size() - 1);
+  }
+}
+
+// The parts of either side of a line lie apart from each other and come in order.
+template <class Outlines>
+constexpr void collect_line(Outlines& o, std::span<const outline_part> sides) {
+  o.places.clear();
+  for (const outline_part& s : sides) {
+    o.places.push_back(s.from);
+    o.places.push_back(s.to);
+  }
+  std::sort(o.places.begin(), o.places.end());
+  o.places.erase(std::unique(o.places.begin(), o.places.end()), o.places.end());
+  std::size_t next = 0;
+  outline_part on[2];
+  for (std::size_t k = 0; k + 1 < o.places.size(); ++k) {
+    for (; next < sides.size() && sides[next].from == o.places[k]; ++next)
+      on[sides[next].number[0] == beside_window ? 1 : 0] = sides[next];
+    outline_part part{sides[0].line, o.places[k], o.places[k + 1]};
+    for (int s = 0; s < 2; ++s)
+      if (on[s].to > o.places[k]) part.number[s] = on[s].number[s];
+    if (part.number[0] != part.number[1]) o.parts.push_back(part);
+  }
+}
+
+// Along each line by which cells were parted, the numbers on both sides: places on a line have the order of points.
+template <class Outlines>
+constexpr void collect_parts(Outlines& o) {
+  std::vector<outline_part> sides;
+  for (const finished_cell& cell : o.cells.cells)
+    for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+      const cell_corner& c = cell.corners[i];
+      const cell_corner& next = cell.corners[i + 1 == cell.corners.size() ? 0 : i + 1];
+      outline_part part{c.line, o.rank[c.point], o.rank[next.point]};
+      const bool back = part.from > part.to;
+      if (back) std::swap(part.from, part.to);
+      part.number[back ? 1 : 0] = cell.number;
+      sides.push_back(part);
+    }
+  std::sort(sides.begin(), sides.end(), [](const outline_part& a, const outline_part& b) {
+    return a.line != b.line ? a.line < b.line : a.from != b.from ? a.from < b.from : a.number[0] < b.number[0];
+  });
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    while (end < sides.size() && sides[end].line == sides[i].line) ++end;
+    collect_line(o, {sides.data() + i, end - i});
+  }
+}
+
+// Parts that only continue each other become one.
+template <class Outlines>
+constexpr void join_outlines(Outlines& o) {
+  struct ends {
+    std::uint32_t count = 0, to = 0, from = 0;
+  };
+  std::vector<ends> at(o.points.size(), ends{});
+  for (std::size_t i = 0; i < o.parts.size(); ++i) {
+    ends &start = at[o.parts[i].from], &end = at[o.parts[i].to];
+    ++start.count;
+    ++end.count;
+    start.from = static_cast<std::uint32_t>(i + 1);
+    end.to = static_cast<std::uint32_t>(i + 1);
+  }
+  const auto goes_on = [&](std::uint32_t place) {
+    const ends& e = at[place];
+    return e.count == 2 && e.to != 0 && e.from != 0 &&
+           have_one_direction(o.cells, o.cells.lines[o.parts[e.to - 1].line], o.cells.lines[o.parts[e.from - 1].line]);
+  };
+  std::vector<std::uint8_t> passed(o.points.size(), std::uint8_t{0});
+  for (std::size_t i = 0; i < passed.size(); ++i)
+    passed[i] = goes_on(static_cast<std::uint32_t>(i)) ? std::uint8_t{1} : std::uint8_t{0};
+  for (const outline_part& p : o.parts) {
+    if (passed[p.from] != 0) continue;
+    std::uint32_t to = p.to;
+    while (passed[to] != 0) to = o.parts[at[to].from - 1].to;
+    if (p.number[0] != beside_window) o.steps.push_back({static_cast<std::uint32_t>(p.number[0]), p.from, to});
+    if (p.number[1] != beside_window) o.steps.push_back({static_cast<std::uint32_t>(p.number[1]), to, p.from});
+  }
+  std::sort(o.steps.begin(), o.steps.end());
+}
 
 // Links steps, sorted by number and start, to rings.
 template <class Step>
@@ -236,21 +232,23 @@ template <DepthOrder Order, class Faces>
     hiding.push_back(detail::hiding_face_of<depth_sense<Order>>(f));
     numbers.push_back(f.number);
   }
-  using cutter_type = detail::window_cutter<detail::hiding_face>;
-  cutter_type cutter(hiding, numbers);
-  cutter.cut(window);
-  const detail::cell_outlines<cutter_type> outlines(cutter);
+  detail::window_cutting<detail::hiding_face> cells{hiding, numbers};
+  detail::cut_into_cells(cells, window);
+  detail::cell_outlines<decltype(cells)> outlines{cells};
+  detail::order_points(outlines);
+  detail::collect_parts(outlines);
+  detail::join_outlines(outlines);
   std::vector<std::uint32_t> place_of_point(outlines.points.size(), 0u);
   for (const detail::outline_step& s : outlines.steps) place_of_point[s.from] = 1;
   for (std::size_t i = 0; i < place_of_point.size(); ++i) {
     if (place_of_point[i] == 0) continue;
-    const detail::picture_point& p = cutter.points[outlines.points[i]];
+    const detail::picture_point& p = cells.points[outlines.points[i]];
     place_of_point[i] = static_cast<std::uint32_t>(map.places.size());
     map.places.push_back({p.x / one_pixel, p.y / one_pixel});
   }
   detail::link_outlines(outlines.steps, map);
   for (std::uint32_t& c : map.corners) c = place_of_point[c];
-  map.cells = cutter.cells.size();
+  map.cells = cells.cells.size();
   return map;
 }
 

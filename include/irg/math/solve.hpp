@@ -59,7 +59,10 @@ constexpr eliminated eliminate_fully(M& a, int n, int* column, T* largest_term, 
     int row = k, unknown = k;
     for (int r = k; r < n; ++r)
       for (int c = k; c < n; ++c)
-        if (entry_size(a(row, unknown)) < entry_size(a(r, c))) row = r, unknown = c;
+        if (entry_size(a(row, unknown)) < entry_size(a(r, c))) {
+          row = r;
+          unknown = c;
+        }
     const T pivot = a(row, unknown);
     if (k == 0) first = entry_size(pivot);
     if (!(product(first, smallest) < entry_size(pivot))) {
@@ -99,7 +102,10 @@ constexpr eliminated eliminate_certainly(M& a, M& noise, int n, int* column, dou
     int row = n, unknown = k;
     for (int r = k; r < n; ++r)
       for (int c = k; c < n; ++c)
-        if (is_certain(r, c) && (row == n || entry_size(a(row, unknown)) < entry_size(a(r, c)))) row = r, unknown = c;
+        if (is_certain(r, c) && (row == n || entry_size(a(row, unknown)) < entry_size(a(r, c)))) {
+          row = r;
+          unknown = c;
+        }
     if (row == n) {
       for (int r = k; r < n; ++r)
         if (is_certain(r, n)) return {solvability::inconsistent, k};

@@ -136,8 +136,14 @@ constexpr void wu_walk(const wu_frame& f, const cell_window& w, Sink& sink) {
     put(j, row + 1, upper);
     c += static_cast<int>(quotient);
     remainder += rest;
-    if (remainder >= d) remainder -= d, ++c;
-    if (c >= 255) c -= 255, ++row;
+    if (remainder >= d) {
+      remainder -= d;
+      ++c;
+    }
+    if (c >= 255) {
+      c -= 255;
+      ++row;
+    }
   }
 }
 

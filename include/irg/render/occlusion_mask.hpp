@@ -50,7 +50,7 @@ struct farthest_keys {
 // The memory of a mask.
 struct occluder_depths {
   picture_tiles grid{0, 0};
-  image<float> pixels;  // of no account in a tile that is not touched, as are its farthest keys
+  image<float> pixels;  // meaningless in a tile that is not touched, as are its farthest keys
   std::vector<farthest_keys> farthest;  // by tile
   std::vector<std::uint8_t> touched;  // by tile
   draw_workspace workspace;

@@ -26,7 +26,10 @@ constexpr int small_integer(T x) noexcept {
   } else {
     int n = 0;
     for (int bit = 1024; bit != 0; bit /= 2)
-      if (!(x < T(bit))) x = x - T(bit), n += bit;
+      if (!(x < T(bit))) {
+        x = x - T(bit);
+        n += bit;
+      }
     return x == T(0) && n <= 1024 ? n : -1;
   }
 }

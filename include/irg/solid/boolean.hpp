@@ -4,6 +4,7 @@
 // through a face or crosses an edge, are rounded when they are handed out, and nowhere before.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/mesh/mesh.hpp>
-#include <irg/solid/detail/body_cutter.hpp>
+#include <irg/solid/detail/body_arrangement.hpp>
 #include <irg/solid/detail/seam_remover.hpp>
 #include <irg/solid/detail/shell_sides.hpp>
 #include <irg/solid/self_intersections.hpp>
@@ -115,11 +116,9 @@ constexpr solid_corner_origin origin_of_corner(const Cut& cut, const body_triang
     for (std::size_t k = 0; k < 9; ++k) origin.of[k] = b.triangles[key.v[k / 3]].v[k % 3];
     return origin;
   }
-  origin.of[0] = key.v[0], origin.of[1] = key.v[1];
-  if (key.v[3] != no_index)
-    origin.of[2] = key.v[2], origin.of[3] = key.v[3];
-  else
-    for (std::size_t k = 0; k < 3; ++k) origin.of[2 + k] = b.triangles[key.v[2]].v[k];
+  const std::size_t corners = key.v[3] == no_index ? 2 : 4;
+  for (std::size_t k = 0; k < corners; ++k) origin.of[k] = key.v[k];
+  if (corners == 2) std::copy_n(b.triangles[key.v[2]].v, 3, origin.of + 2);
   return origin;
 }
 
@@ -169,7 +168,7 @@ constexpr solid_boolean_counts counts_of(const Cut& cut, const body_triangles& b
 
 // What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
 template <Floating T, class IsIn>
-constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
+constexpr solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
   const auto b = make_body_triangles(bodies);
   switch (b.fault) {
     case surface_fault::none: break;
@@ -177,10 +176,10 @@ constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>
     case surface_fault::open_edge: return {solid_boolean_status::open_edge, b.faulty};
     case surface_fault::edge_of_many_faces: return {solid_boolean_status::edge_of_many_faces, b.faulty};
   }
-  if (const std::uint32_t turned = shell_sides(b).find_inside_out(); turned != no_index)
+  if (const std::uint32_t turned = find_inside_out(b); turned != no_index)
     return {solid_boolean_status::not_a_body, turned};
-  body_cutter cut(b, is_in);
-  if (cut.failed || !are_cuts_closed(cut)) {
+  body_arrangement<> cut{b};
+  if (!arrange_bodies(cut, is_in) || !are_cuts_closed(cut)) {
     std::uint32_t culprit = cut.culprit;
     for (std::uint32_t i = 0; i < bodies.size() && culprit == no_index; ++i)
       if (!self_intersections(*bodies[i]).empty()) culprit = i;
@@ -216,7 +215,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
                                                               boolean_operation operation) {
-  return detail::combine_bodies<T>({&first, &second}, [operation](const std::vector<unsigned char>& in) {
+  return detail::boolean_of_bodies<T>({&first, &second}, [operation](const std::vector<unsigned char>& in) {
     return detail::is_in_combination(in[0] != 0, in[1] != 0, operation);
   });
 }

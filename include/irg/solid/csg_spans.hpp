@@ -195,12 +195,10 @@ private:
       if (is_now == was_in) continue;
       const T at = converted<T>(by->at);
       const solid_face_origin face{bodies_.body[by->triangle], bodies_.face[by->triangle], (by->change > 0) != is_now};
-      if (is_now) {
-        open.from = at, open.entered = face;
-      } else {
-        open.to = at, open.left = face;
-        add(spans, open, low, high);
-      }
+      if (is_now)
+        open = {at, {}, face, {}};
+      else
+        add(spans, {open.from, at, open.entered, face}, low, high);
       was_in = is_now;
     }
     return spans;
@@ -208,13 +206,21 @@ private:
 
   static constexpr void add(std::vector<solid_span<T>>& spans, solid_span<T> span, T low, T high) {
     constexpr solid_face_origin none{csg_step::none, csg_step::none, false};
-    if (span.from < low) span.from = low, span.entered = none;
-    if (high < span.to) span.to = high, span.left = none;
+    if (span.from < low) {
+      span.from = low;
+      span.entered = none;
+    }
+    if (high < span.to) {
+      span.to = high;
+      span.left = none;
+    }
     if (!(span.from < span.to)) return;
-    if (!spans.empty() && spans.back().to == span.from)  // they are apart by less than numbers are
-      spans.back().to = span.to, spans.back().left = span.left;
-    else
-      spans.push_back(span);
+    if (!spans.empty() && spans.back().to == span.from) {  // they are apart by less than numbers are
+      span.from = spans.back().from;
+      span.entered = spans.back().entered;
+      spans.pop_back();
+    }
+    spans.push_back(span);
   }
 
   std::vector<csg_step> steps_;

@@ -100,7 +100,7 @@ template <Floating T>
     if (step.second != csg_step::none) is_used[step.second] = 1;
   }
   std::vector<unsigned char> scratch;
-  return detail::combine_bodies<T>(
+  return detail::boolean_of_bodies<T>(
       bodies, [&](const std::vector<unsigned char>& in) { return detail::is_in_steps(tree.steps, in, scratch); });
 }
 

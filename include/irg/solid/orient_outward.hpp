@@ -16,6 +16,7 @@
 #include <irg/mesh/orient_faces.hpp>
 #include <irg/mesh/to_half_edges.hpp>
 #include <irg/mesh/to_mesh.hpp>
+#include <irg/solid/detail/body_triangles.hpp>
 #include <irg/solid/detail/box_pairs.hpp>
 #include <irg/solid/detail/exact_crossings.hpp>
 #include <irg/solid/measures.hpp>
@@ -115,22 +116,16 @@ constexpr bool encloses_less(const mesh<T>& shell, const mesh<T>& other) {
 template <std::same_as<double> T>
 constexpr location place_of_exact(const exact_point& p, const std::vector<point<T, 3>>& positions,
                                   const std::vector<triangle_indices>& surface) {
-  const point<double, 3> nearby = p.rounded();
-  const double slack =
-      greater(greater(magnitude(nearby.x), magnitude(nearby.y)), magnitude(nearby.z)) * 0x1p-50 + 0x1p-1000;
+  const near_point<exact_point> at{p};
   upward_crossings count;
   for (const triangle_indices& t : surface) {
-    space_box box = no_box();
-    for (const std::uint32_t v : t.v) box.add(positions[v]);
-    if (nearby.x + slack < box.low[0] || box.high[0] < nearby.x - slack || nearby.y + slack < box.low[1] ||
-        box.high[1] < nearby.y - slack || box.high[2] < nearby.z - slack)
-      continue;
+    if (is_off_ray_upward(box_of_triangle(positions, t), at.rounded, at.slack())) continue;
     const seen_triangle s = see_triangle(positions, t, 0);
     bool is_on = s.turn != 0 && side_of_plane(*s.p[0], *s.p[1], *s.p[2], p) == 0;
     for (int k = 0; k < 3 && is_on; ++k)
       is_on = irg::orientation_along(s.axis, exact_point(*s.p[k]), exact_point(*s.p[(k + 1) % 3]), p) * s.turn >= 0;
     if (is_on) return location::boundary;
-    count_exact_crossing(positions, t, near_point<exact_point>{p, nearby}, count);
+    count_exact_crossing(positions, t, at, count);
   }
   return count.winding != 0 ? location::inside : location::outside;
 }

@@ -136,7 +136,7 @@ constexpr void each_corner_within(const searched_triangle& s, const space_box& r
 template <class Use>
 class triangle_pair_search {
 public:
-  using lot = std::vector<std::uint32_t>;
+  using lot = box_lot;
   std::size_t looks = 0;  // triangles that were asked where they are, and pairs that were asked whether they meet
 
   /// needs   scale: a power of two that brings all positions to 1 at most
@@ -252,35 +252,11 @@ private:
     return {p.x * scale_, p.y * scale_, p.z * scale_};
   }
 
-  // Narrows a region to what the lot's boxes leave of it. False where that is nothing.
-  constexpr bool narrow(space_box& region, const lot& l) const noexcept {
-    space_box all = no_box();
-    for (const std::uint32_t i : l) all.add(boxes_[i]);
-    for (int i = 0; i < 3; ++i) {
-      region.low[i] = greater(region.low[i], all.low[i]);
-      region.high[i] = lesser(region.high[i], all.high[i]);
-      if (region.high[i] < region.low[i]) return false;
-    }
-    return true;
-  }
-
-  template <class Keep>
-  constexpr lot those_of(const lot& l, const Keep& keep) {
-    looks += l.size();
-    lot kept(l.size(), 0);
-    std::size_t n = 0;
-    for (const std::uint32_t i : l) {
-      kept[n] = i;
-      n += keep(i) ? 1u : 0u;
-    }
-    kept.resize(n, 0);
-    return kept;
-  }
   constexpr lot within(const lot& l, const space_box& region) {
-    return those_of(l, [&](std::uint32_t i) { return boxes_[i].meets(region); });
+    return those_of(l, looks, [&](std::uint32_t i) { return boxes_[i].meets(region); });
   }
   constexpr lot reaching(const lot& l, const space_box& region) {
-    return those_of(l, [&](std::uint32_t i) { return boxes_[i].meets(region) && reaches(items_[i], region); });
+    return those_of(l, looks, [&](std::uint32_t i) { return boxes_[i].meets(region) && reaches(items_[i], region); });
   }
 
   // Whether all are of one face, or have a corner in common beside those that this search is round.
@@ -320,7 +296,7 @@ private:
   // Halves by boxes, for as long as these tell triangles apart.
   constexpr void halve(const lot& l, const space_box& cell, int depth) {  // cell: where a pair's common box begins
     space_box region = cell;
-    if (must_cut_ != cuts_ || !narrow(region, l)) return;
+    if (must_cut_ != cuts_ || !narrow_region(region, boxes_, l)) return;
     const lot kept = within(l, region);
     if (kept.size() <= few) {
       return use_pairs(kept, cell);
@@ -344,10 +320,9 @@ private:
 
   // False where boxes are not told apart: where nearly all are in both halves.
   constexpr bool halve_along(int axis, const lot& l, const space_box& region, const call& of) {
-    space_box cells[] = {of.cell, of.cell}, regions[] = {region, region};
+    space_box regions[2], cells[2];
     const double middle = region.low[axis] * 0.5 + region.high[axis] * 0.5;
-    if (!(region.low[axis] < middle && middle < region.high[axis])) return false;
-    cells[0].high[axis] = cells[1].low[axis] = regions[0].high[axis] = regions[1].low[axis] = middle;
+    if (!halve_box(region, axis, middle, regions) || !halve_box(of.cell, axis, middle, cells)) return false;
     const lot halves[] = {within(l, regions[0]), within(l, regions[1])};
     if ((halves[0].size() + halves[1].size()) * 2 >= l.size() * 3) return false;
     for (int i = 0; i < 2; ++i) halve(halves[i], cells[i], of.depth + 1);
@@ -371,7 +346,7 @@ private:
   // is tried first.
   constexpr void cut(lot l, space_box region, int way, int depth) {
     const space_box whole = region;
-    if (!narrow(region, l)) return;
+    if (!narrow_region(region, boxes_, l)) return;
     if (!(region == whole)) l = reaching(l, region);
     if (l.size() <= few) return use_pairs(l, region);
     if (is_done(l)) return;
@@ -404,9 +379,7 @@ private:
   constexpr bool split_axis(split& s, const lot& l, const space_box& region, int axis) {
     // Not the middle, where what is alike on both sides has its corners.
     const double middle = region.low[axis] * 0.53125 + region.high[axis] * 0.46875;
-    if (!(region.low[axis] < middle && middle < region.high[axis])) return false;
-    for (space_box& r : s.regions) r = region;
-    s.regions[0].high[axis] = s.regions[1].low[axis] = middle;
+    if (!halve_box(region, axis, middle, s.regions)) return false;
     for (int i = 0; i < 2; ++i) s.halves[i] = reaching(l, s.regions[i]);
     return true;
   }
@@ -446,21 +419,17 @@ private:
     std::nth_element(middles.begin(), middle, middles.end());
     std::size_t next = 0;
     for (space_box& r : s.regions) r = region;
-    s.halves[0] = those_of(l, [&](std::uint32_t) { return places[next++].low <= *middle; });
+    s.halves[0] = those_of(l, looks, [&](std::uint32_t) { return places[next++].low <= *middle; });
     next = 0;
-    s.halves[1] = those_of(l, [&](std::uint32_t) { return places[next++].high >= *middle; });
+    s.halves[1] = those_of(l, looks, [&](std::uint32_t) { return places[next++].high >= *middle; });
     return true;
   }
 
-  // What nothing tells apart: each is asked for in a tree of all.
+  // What nothing tells apart.
   constexpr void ask_tree(const lot& l) {
-    box_tree tree(l, 3);
-    for (const std::uint32_t i : l)
-      looks += tree.each(
-          boxes_, [&](const space_box& other) { return !boxes_[i].meets(other); },
-          [&](std::uint32_t k) {
-            if (k < i) use_pair(i, k, boxes_[i]);
-          });
+    pair_by_tree(boxes_, l, l, looks, [&](std::uint32_t i, std::uint32_t k) {
+      if (k < i) use_pair(i, k, boxes_[i]);
+    });
   }
 
   const body_triangles& b_;

@@ -45,8 +45,10 @@ struct IRG_APART box_block {
   }
 
   IRG_INLINE constexpr void enclose(int i, T x, T y, T z) noexcept {
-    low[0][i] = lesser(low[0][i], x), high[0][i] = greater(high[0][i], x);
-    low[1][i] = lesser(low[1][i], y), high[1][i] = greater(high[1][i], y);
+    low[0][i] = lesser(low[0][i], x);
+    high[0][i] = greater(high[0][i], x);
+    low[1][i] = lesser(low[1][i], y);
+    high[1][i] = greater(high[1][i], y);
     top[i] = greater(top[i], z);
   }
   // The box round all of another block becomes part of box i.

@@ -193,7 +193,10 @@ private:
         right += a + b < 0;
       }
       const std::size_t cost = (left < right ? right - left : left - right) + cut * choice.cut_costs;
-      if (cost < least) least = cost, best = line;
+      if (cost < least) {
+        least = cost;
+        best = line;
+      }
     }
     return best;
   }

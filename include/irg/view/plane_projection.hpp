@@ -44,7 +44,7 @@ struct plane_projector {
   }
 };
 
-// The numbers in the precision they are reckoned in: floats and doubles as doubles whose scale, which is free, leaves
+// The numbers in the precision of the computation: floats and doubles as doubles whose scale, which is free, leaves
 // room below for products of the smallest; others as they are.
 template <class T>
 constexpr auto plane_projector_of(const T (&eye)[4], const T (&plane)[4]) noexcept {

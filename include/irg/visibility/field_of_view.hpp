@@ -36,7 +36,7 @@ struct view_options {
 
 /// What the sweeps need while they run; kept from call to call, it spares allocations.
 struct view_memory {
-  std::vector<detail::sweep_gap> now, next;
+  std::vector<detail::open_sector> now, next;
 };
 
 /// What fields of view took. Summed over viewers.
@@ -70,9 +70,9 @@ inline namespace IRG_ABI {
 /// needs   `seen` of the map's extent
 /// gives   nothing when the viewer is no cell of the map
 /// exact   always
-/// cost    in the plane: a few operations per row and gap between what blocks, and per word of 64 cells that are seen;
-///         in space: a few per row of each sector that is wholly open, see() for cells at borders of what is hidden.
-///         With a counted_view_memory also a few per cell of the map
+/// cost    in the plane: a few operations per row and open sector, and per word of 64 cells that are seen; in space: a
+///         few per row of each sector that is wholly open, see() for cells at borders of what is hidden. With a
+///         counted_view_memory also a few per cell of the map
 template <std::derived_from<view_memory> Memory>
 constexpr void add_field_of_view(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
                                  const view_options& o = {});

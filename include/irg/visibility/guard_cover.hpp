@@ -68,7 +68,7 @@ namespace detail::inline IRG_ABI {
 // part is asked from which corners it is seen; corners are chosen until each part has one.
 
 template <Floating T>
-class guard_chooser {
+class guard_set_cover {
 public:
   constexpr guard_cover<T> run(std::span<const std::vector<point<T, 2>>> rings) {
     guard_cover<T> out;
@@ -323,7 +323,7 @@ inline namespace IRG_ABI {
 
 template <Floating T>
 [[nodiscard]] constexpr guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings) {
-  return detail::guard_chooser<T>().run(rings);
+  return detail::guard_set_cover<T>().run(rings);
 }
 
 }  // namespace IRG_ABI

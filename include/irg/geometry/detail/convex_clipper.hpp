@@ -254,14 +254,19 @@ private:
   // A vertex that carries more than its place, or that is as exact as its numbers, is made at once.
   constexpr void interpolate(corner& c, const corner& from, const corner& to) const {
     const V *a = &from.vertex, *b = &to.vertex;
-    if (!is_stretch(c)) a = &polygon_[c.line], b = &polygon_[c.line + 1 < polygon_.size() ? c.line + 1 : 0];
+    if (!is_stretch(c)) {
+      a = &polygon_[c.line];
+      b = &polygon_[c.line + 1 < polygon_.size() ? c.line + 1 : 0];
+    }
     if (comes_before(position_of(*b), position_of(*a))) std::swap(a, b);
     const P &p = position_of(*a), &q = position_of(*b);
     half_space_meeting<T, P> m;
     if (!Floating<T> || !is_stretch(c))
       m = meet_half_space(p, q, boundary_(c.boundary));
-    else
-      m.at = place(c), m.t = part_of_way(p, q, m.at);
+    else {
+      m.at = place(c);
+      m.t = part_of_way(p, q, m.at);
+    }
     if constexpr (Point<V>)
       c.vertex = m.at;
     else

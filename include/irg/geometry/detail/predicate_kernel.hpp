@@ -141,7 +141,7 @@ template <class N, Point P, std::same_as<P>... Ps>
 IRG_INLINE constexpr auto table_of(const P& first, const Ps&... others) {
   constexpr int count = 1 + static_cast<int>(sizeof...(Ps)), size = size_of<P>;
   const P* const points[] = {&first, &others...};
-  return [&]<int... J>(std::integer_sequence<int, J...>) {
+  return [&]<int... J>(std::integer_sequence<int, J...>) IRG_INLINE_LAMBDA {
     return point_table<N, count, size>{{converted<N>(coordinate(*points[J / size], J % size))...}};
   }(std::make_integer_sequence<int, count * size>{});
 }
@@ -149,7 +149,7 @@ IRG_INLINE constexpr auto table_of(const P& first, const Ps&... others) {
 // The points but the last, seen from the last one.
 template <class T, int M, int D>
 IRG_INLINE constexpr point_table<T, M - 1, D> relative_to_last(const point_table<T, M, D>& t) {
-  return [&]<int... J>(std::integer_sequence<int, J...>) {
+  return [&]<int... J>(std::integer_sequence<int, J...>) IRG_INLINE_LAMBDA {
     return point_table<T, M - 1, D>{{(t.v[J] - t.v[(M - 1) * D + J % D])...}};
   }(std::make_integer_sequence<int, (M - 1) * D>{});
 }

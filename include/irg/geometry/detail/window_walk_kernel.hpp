@@ -52,7 +52,10 @@ IRG_INLINE constexpr unsigned window_code(const V& v, const box<T, 2>& w) noexce
   for (int i = 0; i < 2; ++i) {
     const T x = coordinate(position_of(v), i);
     bool below = x < w.low[i], above = w.high[i] < x;
-    if constexpr (Floating<T>) below = !(w.low[i] <= x), above = !(x <= w.high[i]);
+    if constexpr (Floating<T>) {
+      below = !(w.low[i] <= x);
+      above = !(x <= w.high[i]);
+    }
     code |= (static_cast<unsigned>(below) | static_cast<unsigned>(above) << 2) << i;
   }
   return code;
@@ -242,11 +245,17 @@ IRG_APART constexpr edge_output output_of_edge(edge_role role, y_place last, boo
   };
   if (role == left_to_pipe) to.rare = gives_up;
   if (role == stays_first) to.rare = takes_again;
-  if (role == stays || role == stays_first) to.cut_y = next(), to.place = place(last);
+  if (role == stays || role == stays_first) {
+    to.cut_y = next();
+    to.place = place(last);
+  }
   if (role == left_to_pipe || role == stays || role == stays_first || cut == y_place::unknown) return to;
   const bool leaves_x = role == leaves || role == leaves_below || role == leaves_above || role == passes_out;
   if (!leaves_x && last != y_place::unknown && last != cut) {  // along the boundary, around the window's corners
-    if (last != y_place::within) to.corner = y_of(last), next();
+    if (last != y_place::within) {
+      to.corner = y_of(last);
+      next();
+    }
     if (cut != y_place::within) {
       if (to.advance != 0) to.rare = has_two_corners;
       (to.advance != 0 ? to.second_corner : to.corner) = y_of(cut), next();
@@ -484,7 +493,10 @@ IRG_INLINE constexpr std::ptrdiff_t walk_window(const coded_ring& ring, const bo
         if ((output.rare & gives_up) != 0 || to + 16 > end) return is_delicate;
         if ((output.rare & has_two_corners) != 0)
           store_pair(out + to + 2, corner_of(bounds, w.corners[output.second_corner]));
-        if ((output.rare & takes_again) != 0) second = 256, later = edges;
+        if ((output.rare & takes_again) != 0) {
+          second = 256;
+          later = edges;
+        }
       }
       edges = later;
       store_pair(out + to + output.cut_x, firsts(bounds, cuts.at));

@@ -296,10 +296,12 @@ private:
       close(p.over, w);
       put(p.over, {grid_mark_kind::crossing, p.edge, p.over});
     } else if (appears) {
-      w.open = true, w.since = p.over;
+      w.open = true;
+      w.since = p.over;
       put(p.edge, {grid_mark_kind::crossing, p.over, p.edge});
     }
-    w.first = false, w.hidden_by = p.over;
+    w.first = false;
+    w.hidden_by = p.over;
   }
   constexpr void close(grid_edge at, walker& w) {
     runs_.push_back({w.since, at});

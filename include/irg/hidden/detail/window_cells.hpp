@@ -176,7 +176,7 @@ constexpr wide_int<N - 1> narrowed_by_one(const wide_int<N>& v) noexcept {
 // x / w as the nearest multiple of 2^-22, below 2^30 in size; whether nothing was lost.
 template <int N>
 constexpr double place_in_window(const wide_int<N>& x, const wide_int<N>& w, bool& is_exact) noexcept {
-  const place_ratio<N + 1> r{(x.is_negative() ? -x : x) * wide_int<1>(1), w * wide_int<1>(std::int64_t{1} << 30)};
+  const place_ratio<N + 1> r{size_of_integer(x) * wide_int<1>(1), w * wide_int<1>(std::int64_t{1} << 30)};
   const wide_int<N + 1> wide = w * wide_int<1>(1), twice = w * wide_int<1>(2);
   auto digits = static_cast<std::int64_t>(rounded_ratio(r) * 0x1p52);  // off by a few units, which are mended
   wide_int<N + 1> rest = narrowed_by_one(r.numerator * wide_int<1>(std::int64_t{1} << 23)) -
@@ -214,275 +214,286 @@ struct finished_cell {
 
 inline namespace IRG_ABI {
 
+// A window that is being cut.
 template <class Face>
-class window_cutter {
-public:
-  constexpr window_cutter(std::span<const Face> faces, std::span<const std::uint32_t> numbers)
-      : faces_(faces), numbers_(numbers) {
-    sides_.reserve(3 * faces.size());
-    for (const Face& f : faces) {
-      for (int i = 0; i < 3; ++i) sides_.push_back(line_of_side(faces, static_cast<std::uint32_t>(nearest_.size()), i));
-      nearest_.push_back(greater(f.depth[0], greater(f.depth[1], f.depth[2])));
-      farthest_.push_back(lesser(f.depth[0], lesser(f.depth[1], f.depth[2])));
-    }
-  }
-
-  constexpr void cut(const cell_window& w) {
-    window_cell all;
-    const auto edge = [&](picture_line_kind kind, int pixel) {
-      lines.push_back(line_of_axis(kind, static_cast<std::int32_t>(pixel * one_pixel)));
-    };
-    edge(picture_line_kind::level, w.y_first);
-    edge(picture_line_kind::upright, w.x_last);
-    edge(picture_line_kind::level, w.y_last);
-    edge(picture_line_kind::upright, w.x_first);
-    for (std::uint32_t i = 0; i < 4; ++i) all.corners.push_back({add_point((i + 3) % 4, i), i});
-    for (std::size_t f = 0; f < faces_.size(); ++f) all.faces.push_back({static_cast<std::uint32_t>(f), 0});
-    std::vector<window_cell> waiting;
-    waiting.push_back(std::move(all));
-    while (!waiting.empty()) {
-      window_cell cell = std::move(waiting.back());
-      waiting.pop_back();
-      treat(std::move(cell), waiting);
-    }
-  }
-
-  // -1, 0, 1: the side of a line on which a point lies.
-  constexpr int side_of(const picture_line& line, const picture_point& p) const noexcept {
-    const auto size = [](double v) { return v < 0 ? -v : v; };
-    // Within 2^-23 of the point in x and y, the products within 2^-50 of their sizes.
-    const double ax = line.a * p.x, by = line.b * p.y, value = ax + by + line.c;
-    const double bound = (size(line.a) + size(line.b)) * 0x1p-22 + (size(ax) + size(by) + size(line.c)) * 0x1p-49;
-    if (value > bound) return 1;
-    if (value < -bound) return -1;
-    const picture_line &l = lines[p.line[0]], &m = lines[p.line[1]];
-    if (is_one_line(line, l) || is_one_line(line, m)) return 0;
-    return with_line_words(greater(line.words, greater(l.words, m.words)), [&](auto n) {
-      const auto e = coefficients_of<n.value>(faces_, line);
-      const auto q = point_on_both(coefficients_of<n.value>(faces_, l), coefficients_of<n.value>(faces_, m));
-      return (e.a * q.x + e.b * q.y + e.c * q.w).sign();
-    });
-  }
-  // Whether a coordinate of one point is less than (-1), equal to or greater than that of another.
-  constexpr int compare_coordinate(int axis, const picture_point& p, const picture_point& q) const noexcept {
-    const double s = axis == 0 ? p.x : p.y, t = axis == 0 ? q.x : q.y;
-    if (s != t) return s < t ? -1 : 1;  // rounding keeps the order
-    if (p.is_exact[axis] && q.is_exact[axis]) return 0;
-    if (p.line[0] == q.line[0] && p.line[1] == q.line[1]) return 0;
-    const int words = greater(words_of(p), words_of(q));
-    return with_line_words(words, [&](auto n) {
-      const auto a = exact_point<n.value>(p), b = exact_point<n.value>(q);
-      return axis == 0 ? (a.x * b.w - b.x * a.w).sign() : (a.y * b.w - b.y * a.w).sign();
-    });
-  }
-  // Whether two lines have one direction.
-  constexpr bool are_parallel(const picture_line& l, const picture_line& m) const noexcept {
-    return is_one_line(l, m) || with_line_words(greater(l.words, m.words), [&](auto n) {
-             const auto p = coefficients_of<n.value>(faces_, l), q = coefficients_of<n.value>(faces_, m);
-             return (p.a * q.b - q.a * p.b).sign() == 0;
-           });
-  }
-
+struct window_cutting {
+  std::span<const Face> faces;  // that have an area
+  std::span<const std::uint32_t> numbers;
+  std::vector<float> nearest{}, farthest{};  // of each face
+  std::vector<picture_line> sides{};  // three of each face
   std::vector<picture_line> lines{};
   std::vector<picture_point> points{};
   std::vector<finished_cell> cells{};
-
-private:
-  static constexpr std::size_t few_faces = 6;  // are not worth a cut that follows none of them
-
-  constexpr int words_of(const picture_point& p) const noexcept {
-    return greater(lines[p.line[0]].words, lines[p.line[1]].words);
-  }
-  template <int N>
-  constexpr exact_meeting<N> exact_point(const picture_point& p) const noexcept {
-    return point_on_both(coefficients_of<N>(faces_, lines[p.line[0]]), coefficients_of<N>(faces_, lines[p.line[1]]));
-  }
-  constexpr std::uint32_t add_point(std::uint32_t l, std::uint32_t m) {
-    picture_point p{{lesser(l, m), greater(l, m)}};
-    with_line_words(words_of(p), [&](auto n) {
-      const auto e = exact_point<n.value>(p);
-      p.x = place_in_window(e.x, e.w, p.is_exact[0]);
-      p.y = place_in_window(e.y, e.w, p.is_exact[1]);
-    });
-    points.push_back(p);
-    return static_cast<std::uint32_t>(points.size() - 1);
-  }
-
-  // The sides of a line on which a cell lies: bit 0 its negative one, bit 1 its positive one.
-  constexpr unsigned sides_of(const picture_line& line, const window_cell& cell) const noexcept {
-    unsigned sides = 0;
-    for (const cell_corner& c : cell.corners) {
-      const int side = side_of(line, points[c.point]);
-      sides |= side < 0 ? 1u : side > 0 ? 2u : 0u;
-      if (sides == 3) break;
-    }
-    return sides;
-  }
-
-  // 1 where face f is seen before face g all over a cell, -1 where g is, 0 where neither is: then they meet in `line`.
-  constexpr int first_of(std::uint32_t f, std::uint32_t g, const window_cell& cell, picture_line& line) const noexcept {
-    if (farthest_[f] > nearest_[g]) return 1;
-    if (farthest_[g] > nearest_[f]) return -1;
-    line = meeting_line(faces_, f, g);
-    const unsigned sides = sides_of(line, cell);
-    if (sides == 3) return 0;
-    if (sides == 0) return numbers_[f] <= numbers_[g] ? 1 : -1;
-    return sides == 2 ? 1 : -1;
-  }
-
-  constexpr cell_box box_of_cell(const window_cell& cell) const noexcept {
-    const picture_point& first = points[cell.corners[0].point];
-    cell_box box{{first.x, first.y}, {first.x, first.y}};
-    for (const cell_corner& c : cell.corners) {
-      const double at[2] = {points[c.point].x, points[c.point].y};
-      for (int i = 0; i < 2; ++i) {
-        box.low[i] = lesser(box.low[i], at[i]);
-        box.high[i] = greater(box.high[i], at[i]);
-      }
-    }
-    return box;
-  }
-
-  // Leaves out the faces beside the cell.
-  constexpr void look_at_sides(window_cell& cell) const {
-    const cell_box box = box_of_cell(cell);
-    std::size_t kept = 0;
-    for (cell_candidate c : cell.faces) {
-      const subpixel(&p)[3] = faces_[c.face].p;  // corners are whole numbers: rounded places do not pass them
-      bool beside = c.inside == 0 && (greater(p[0].x, greater(p[1].x, p[2].x)) < box.low[0] ||
-                                      lesser(p[0].x, lesser(p[1].x, p[2].x)) > box.high[0] ||
-                                      greater(p[0].y, greater(p[1].y, p[2].y)) < box.low[1] ||
-                                      lesser(p[0].y, lesser(p[1].y, p[2].y)) > box.high[1]);
-      for (int i = 0; i < 3 && !beside; ++i) {
-        if ((c.inside >> i & 1) != 0) continue;
-        const unsigned sides = sides_of(sides_[std::size_t{3} * c.face + static_cast<unsigned>(i)], cell);
-        beside = (sides & 2) == 0;
-        if (sides == 2) c.inside = static_cast<std::uint8_t>(c.inside | 1 << i);
-      }
-      if (!beside) cell.faces[kept++] = c;
-    }
-    cell.faces.resize(kept, cell_candidate{});
-  }
-
-  // Puts a face that covers the cell, and before which no other such face lies, to the front, and leaves out what is
-  // behind it. Says where it meets another one that covers the cell, if it does.
-  constexpr bool look_at_depths(window_cell& cell, picture_line& meeting) const {
-    picture_line line;
-    std::size_t best = cell.faces.size();
-    for (std::size_t i = 0; i < cell.faces.size(); ++i)
-      if (cell.faces[i].inside == 7 &&
-          (best == cell.faces.size() || first_of(cell.faces[best].face, cell.faces[i].face, cell, line) < 0))
-        best = i;
-    if (best == cell.faces.size()) return false;
-    std::swap(cell.faces[0], cell.faces[best]);
-    bool meets = false;
-    for (std::size_t i = 1; i < cell.faces.size();) {
-      const int first = first_of(cell.faces[0].face, cell.faces[i].face, cell, line);
-      const bool covers_cell = cell.faces[i].inside == 7;
-      if (first < 0 && covers_cell) {  // ask all again
-        std::swap(cell.faces[0], cell.faces[i]);
-        meets = false;
-      }
-      if (first > 0 || (first < 0 && covers_cell)) {
-        cell.faces[i] = cell.faces.back();
-        cell.faces.pop_back();
-        if (first < 0) i = 1;
-        continue;
-      }
-      if (first == 0 && covers_cell) {
-        meets = true;
-        meeting = line;
-      }
-      ++i;
-    }
-    return meets;
-  }
-
-  constexpr void treat(window_cell&& cell, std::vector<window_cell>& waiting) {
-    look_at_sides(cell);
-    picture_line line;
-    const bool meets = look_at_depths(cell, line);
-    std::size_t reaching = 0;
-    const cell_candidate* next = nullptr;
-    for (const cell_candidate& c : cell.faces) {
-      if (c.inside == 7) continue;
-      ++reaching;
-      if (next == nullptr || nearest_[c.face] > nearest_[next->face]) next = &c;
-    }
-    if (reaching > few_faces && halve(cell, reaching, line)) return split(cell, line, waiting);
-    if (next != nullptr) {
-      unsigned side = 0;
-      while ((next->inside >> side & 1) != 0) ++side;
-      return split(cell, sides_[std::size_t{3} * next->face + side], waiting);
-    }
-    if (meets) return split(cell, line, waiting);
-    cells.push_back({std::move(cell.corners), cell.faces.empty() ? no_face : numbers_[cell.faces[0].face]});
-  }
-
-  // The line through the middle of a cell's box, where it parts the faces: across the longer side, or, where it cuts
-  // few of them, across the other one.
-  constexpr bool halve(const window_cell& cell, std::size_t reaching, picture_line& line) const {
-    const cell_box box = box_of_cell(cell);
-    const int longer = box.high[0] - box.low[0] < box.high[1] - box.low[1] ? 1 : 0;
-    return halve_across(longer, box, cell, reaching + reaching / 2, line) ||
-           halve_across(1 - longer, box, cell, reaching + reaching / 8, line);
-  }
-  // most   faces in both halves together
-  constexpr bool halve_across(int axis, const cell_box& box, const window_cell& cell, std::size_t most,
-                              picture_line& line) const {
-    const double low = box.low[axis], high = box.high[axis];
-    if (high - low < 4) return false;
-    const auto middle = static_cast<std::int32_t>((low + high) / 2);
-    std::size_t below = 0, above = 0;
-    for (const cell_candidate& c : cell.faces) {
-      if (c.inside == 7) continue;
-      const Face& f = faces_[c.face];
-      bool is_below = false, is_above = false;
-      for (const subpixel& p : f.p) {
-        is_below = is_below || (axis == 0 ? p.x : p.y) < middle;
-        is_above = is_above || (axis == 0 ? p.x : p.y) > middle;
-      }
-      below += is_below ? 1u : 0u;
-      above += is_above ? 1u : 0u;
-    }
-    if (below + above > most) return false;
-    line = line_of_axis(axis == 0 ? picture_line_kind::upright : picture_line_kind::level, middle);
-    return sides_of(line, cell) == 3;
-  }
-
-  constexpr void split(const window_cell& cell, const picture_line& by, std::vector<window_cell>& waiting) {
-    const auto line = static_cast<std::uint32_t>(lines.size());
-    lines.push_back(by);
-    window_cell half[2];
-    const std::size_t n = cell.corners.size();
-    int side = side_of(by, points[cell.corners[0].point]);
-    for (std::size_t i = 0; i < n; ++i) {
-      const cell_corner& c = cell.corners[i];
-      const int next = side_of(by, points[cell.corners[i + 1 == n ? 0 : i + 1].point]);
-      for (int h = 0; h < 2; ++h) {
-        const int own = h == 0 ? -1 : 1;
-        if (side == own)
-          half[h].corners.push_back(c);
-        else if (side == 0)  // the cut begins here, where the boundary leaves this half, or ends
-          half[h].corners.push_back({c.point, next == own ? c.line : line});
-      }
-      if (side * next < 0) {
-        const std::uint32_t p = add_point(c.line, line);
-        for (int h = 0; h < 2; ++h) half[h].corners.push_back({p, next == (h == 0 ? -1 : 1) ? c.line : line});
-      }
-      side = next;
-    }
-    half[0].faces = cell.faces;
-    half[1].faces = cell.faces;
-    waiting.push_back(std::move(half[0]));
-    waiting.push_back(std::move(half[1]));
-  }
-
-  std::span<const Face> faces_;
-  std::span<const std::uint32_t> numbers_;
-  std::vector<float> nearest_{}, farthest_{};
-  std::vector<picture_line> sides_{};  // three of each face
 };
+
+template <class Cutting>
+constexpr int words_of(const Cutting& s, const picture_point& p) noexcept {
+  return greater(s.lines[p.line[0]].words, s.lines[p.line[1]].words);
+}
+template <int N, class Cutting>
+constexpr exact_meeting<N> exact_meeting_of(const Cutting& s, const picture_point& p) noexcept {
+  return point_on_both(coefficients_of<N>(s.faces, s.lines[p.line[0]]),
+                       coefficients_of<N>(s.faces, s.lines[p.line[1]]));
+}
+template <class Cutting>
+constexpr std::uint32_t add_meeting(Cutting& s, std::uint32_t l, std::uint32_t m) {
+  picture_point p{{lesser(l, m), greater(l, m)}};
+  with_line_words(words_of(s, p), [&](auto n) {
+    const auto e = exact_meeting_of<n.value>(s, p);
+    p.x = place_in_window(e.x, e.w, p.is_exact[0]);
+    p.y = place_in_window(e.y, e.w, p.is_exact[1]);
+  });
+  s.points.push_back(p);
+  return static_cast<std::uint32_t>(s.points.size() - 1);
+}
+
+// -1, 0, 1: the side of a line on which a point lies.
+template <class Cutting>
+constexpr int side_of_picture_line(const Cutting& s, const picture_line& line, const picture_point& p) noexcept {
+  // Within 2^-23 of the point in x and y, the products within 2^-50 of their sizes.
+  const double ax = line.a * p.x, by = line.b * p.y, value = ax + by + line.c;
+  const double bound =
+      (magnitude(line.a) + magnitude(line.b)) * 0x1p-22 + (magnitude(ax) + magnitude(by) + magnitude(line.c)) * 0x1p-49;
+  if (value > bound) return 1;
+  if (value < -bound) return -1;
+  const picture_line &l = s.lines[p.line[0]], &m = s.lines[p.line[1]];
+  if (is_one_line(line, l) || is_one_line(line, m)) return 0;
+  return with_line_words(greater(line.words, greater(l.words, m.words)), [&](auto n) {
+    const auto e = coefficients_of<n.value>(s.faces, line);
+    const auto q = point_on_both(coefficients_of<n.value>(s.faces, l), coefficients_of<n.value>(s.faces, m));
+    return (e.a * q.x + e.b * q.y + e.c * q.w).sign();
+  });
+}
+// Whether a coordinate of one point is less than (-1), equal to or greater than that of another.
+template <class Cutting>
+constexpr int compare_coordinate(const Cutting& s, int axis, const picture_point& p, const picture_point& q) noexcept {
+  const double u = axis == 0 ? p.x : p.y, v = axis == 0 ? q.x : q.y;
+  if (u != v) return u < v ? -1 : 1;  // rounding keeps the order
+  if (p.is_exact[axis] && q.is_exact[axis]) return 0;
+  if (p.line[0] == q.line[0] && p.line[1] == q.line[1]) return 0;
+  return with_line_words(greater(words_of(s, p), words_of(s, q)), [&](auto n) {
+    const auto a = exact_meeting_of<n.value>(s, p), b = exact_meeting_of<n.value>(s, q);
+    return axis == 0 ? (a.x * b.w - b.x * a.w).sign() : (a.y * b.w - b.y * a.w).sign();
+  });
+}
+// Whether two lines have one direction.
+template <class Cutting>
+constexpr bool have_one_direction(const Cutting& s, const picture_line& l, const picture_line& m) noexcept {
+  return is_one_line(l, m) || with_line_words(greater(l.words, m.words), [&](auto n) {
+           const auto p = coefficients_of<n.value>(s.faces, l), q = coefficients_of<n.value>(s.faces, m);
+           return (p.a * q.b - q.a * p.b).sign() == 0;
+         });
+}
+
+// The sides of a line on which a cell lies: bit 0 its negative one, bit 1 its positive one.
+template <class Cutting>
+constexpr unsigned sides_of_cell(const Cutting& s, const picture_line& line, const window_cell& cell) noexcept {
+  unsigned sides = 0;
+  for (const cell_corner& c : cell.corners) {
+    const int side = side_of_picture_line(s, line, s.points[c.point]);
+    sides |= side < 0 ? 1u : side > 0 ? 2u : 0u;
+    if (sides == 3) break;
+  }
+  return sides;
+}
+
+// 1 where face f is seen before face g all over a cell, -1 where g is, 0 where neither is: then they meet in `line`.
+template <class Cutting>
+constexpr int compare_in_cell(const Cutting& s, std::uint32_t f, std::uint32_t g, const window_cell& cell,
+                              picture_line& line) noexcept {
+  if (s.farthest[f] > s.nearest[g]) return 1;
+  if (s.farthest[g] > s.nearest[f]) return -1;
+  line = meeting_line(s.faces, f, g);
+  const unsigned sides = sides_of_cell(s, line, cell);
+  if (sides == 3) return 0;
+  if (sides == 0) return s.numbers[f] <= s.numbers[g] ? 1 : -1;
+  return sides == 2 ? 1 : -1;
+}
+
+template <class Cutting>
+constexpr cell_box box_of_cell(const Cutting& s, const window_cell& cell) noexcept {
+  const picture_point& first = s.points[cell.corners[0].point];
+  cell_box box{{first.x, first.y}, {first.x, first.y}};
+  for (const cell_corner& c : cell.corners) {
+    const double at[2] = {s.points[c.point].x, s.points[c.point].y};
+    for (int i = 0; i < 2; ++i) {
+      box.low[i] = lesser(box.low[i], at[i]);
+      box.high[i] = greater(box.high[i], at[i]);
+    }
+  }
+  return box;
+}
+
+// Leaves out the faces beside the cell.
+template <class Cutting>
+constexpr void drop_faces_beside(const Cutting& s, window_cell& cell) {
+  const cell_box box = box_of_cell(s, cell);
+  std::size_t kept = 0;
+  for (cell_candidate c : cell.faces) {
+    const subpixel(&p)[3] = s.faces[c.face].p;  // corners are whole numbers: rounded places do not pass them
+    bool beside = c.inside == 0 && (greater(p[0].x, greater(p[1].x, p[2].x)) < box.low[0] ||
+                                    lesser(p[0].x, lesser(p[1].x, p[2].x)) > box.high[0] ||
+                                    greater(p[0].y, greater(p[1].y, p[2].y)) < box.low[1] ||
+                                    lesser(p[0].y, lesser(p[1].y, p[2].y)) > box.high[1]);
+    for (int i = 0; i < 3 && !beside; ++i) {
+      if ((c.inside >> i & 1) != 0) continue;
+      const unsigned sides = sides_of_cell(s, s.sides[std::size_t{3} * c.face + static_cast<unsigned>(i)], cell);
+      beside = (sides & 2) == 0;
+      if (sides == 2) c.inside = static_cast<std::uint8_t>(c.inside | 1 << i);
+    }
+    if (!beside) cell.faces[kept++] = c;
+  }
+  cell.faces.resize(kept, cell_candidate{});
+}
+
+// Puts a face that covers the cell, and before which no other such face lies, to the front, and leaves out what is
+// behind it. Says where it meets another one that covers the cell, if it does.
+template <class Cutting>
+constexpr bool drop_faces_behind(const Cutting& s, window_cell& cell, picture_line& meeting) {
+  picture_line line;
+  std::size_t best = cell.faces.size();
+  for (std::size_t i = 0; i < cell.faces.size(); ++i)
+    if (cell.faces[i].inside == 7 &&
+        (best == cell.faces.size() || compare_in_cell(s, cell.faces[best].face, cell.faces[i].face, cell, line) < 0))
+      best = i;
+  if (best == cell.faces.size()) return false;
+  std::swap(cell.faces[0], cell.faces[best]);
+  bool meets = false;
+  for (std::size_t i = 1; i < cell.faces.size();) {
+    const int first = compare_in_cell(s, cell.faces[0].face, cell.faces[i].face, cell, line);
+    const bool covers_cell = cell.faces[i].inside == 7;
+    if (first < 0 && covers_cell) {  // ask all again
+      std::swap(cell.faces[0], cell.faces[i]);
+      meets = false;
+    }
+    if (first > 0 || (first < 0 && covers_cell)) {
+      cell.faces[i] = cell.faces.back();
+      cell.faces.pop_back();
+      if (first < 0) i = 1;
+      continue;
+    }
+    if (first == 0 && covers_cell) {
+      meets = true;
+      meeting = line;
+    }
+    ++i;
+  }
+  return meets;
+}
+
+// The line through the middle of a cell's box, where it parts the faces: across the longer side, or, where it cuts
+// few of them, across the other one.
+template <class Cutting>
+constexpr bool halve_cell(const Cutting& s, const window_cell& cell, std::size_t reaching, picture_line& line) {
+  const cell_box box = box_of_cell(s, cell);
+  const int longer = box.high[0] - box.low[0] < box.high[1] - box.low[1] ? 1 : 0;
+  return halve_cell_across(s, longer, box, cell, reaching + reaching / 2, line) ||
+         halve_cell_across(s, 1 - longer, box, cell, reaching + reaching / 8, line);
+}
+// most   faces in both halves together
+template <class Cutting>
+constexpr bool halve_cell_across(const Cutting& s, int axis, const cell_box& box, const window_cell& cell,
+                                 std::size_t most, picture_line& line) {
+  const double low = box.low[axis], high = box.high[axis];
+  if (high - low < 4) return false;
+  const auto middle = static_cast<std::int32_t>((low + high) / 2);
+  std::size_t below = 0, above = 0;
+  for (const cell_candidate& c : cell.faces) {
+    if (c.inside == 7) continue;
+    bool is_below = false, is_above = false;
+    for (const subpixel& p : s.faces[c.face].p) {
+      is_below = is_below || (axis == 0 ? p.x : p.y) < middle;
+      is_above = is_above || (axis == 0 ? p.x : p.y) > middle;
+    }
+    below += is_below ? 1u : 0u;
+    above += is_above ? 1u : 0u;
+  }
+  if (below + above > most) return false;
+  line = line_of_axis(axis == 0 ? picture_line_kind::upright : picture_line_kind::level, middle);
+  return sides_of_cell(s, line, cell) == 3;
+}
+
+template <class Cutting>
+constexpr void split_cell(Cutting& s, const window_cell& cell, const picture_line& by,
+                          std::vector<window_cell>& waiting) {
+  const auto line = static_cast<std::uint32_t>(s.lines.size());
+  s.lines.push_back(by);
+  window_cell half[2];
+  const std::size_t n = cell.corners.size();
+  int side = side_of_picture_line(s, by, s.points[cell.corners[0].point]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const cell_corner& c = cell.corners[i];
+    const int next = side_of_picture_line(s, by, s.points[cell.corners[i + 1 == n ? 0 : i + 1].point]);
+    for (int h = 0; h < 2; ++h) {
+      const int own = h == 0 ? -1 : 1;
+      if (side == own)
+        half[h].corners.push_back(c);
+      else if (side == 0)  // the cut begins here, where the boundary leaves this half, or ends
+        half[h].corners.push_back({c.point, next == own ? c.line : line});
+    }
+    if (side * next < 0) {
+      const std::uint32_t p = add_meeting(s, c.line, line);
+      for (int h = 0; h < 2; ++h) half[h].corners.push_back({p, next == (h == 0 ? -1 : 1) ? c.line : line});
+    }
+    side = next;
+  }
+  for (window_cell& part : half) {
+    part.faces = cell.faces;
+    waiting.push_back(std::move(part));
+  }
+}
+
+// Cuts a cell where a face's side or a meeting of planes runs through it; it is finished where none does.
+template <class Cutting>
+constexpr void cut_or_finish(Cutting& s, window_cell&& cell, std::vector<window_cell>& waiting) {
+  constexpr std::size_t few = 6;  // faces are not worth a cut that follows none of them
+  drop_faces_beside(s, cell);
+  picture_line line;
+  const bool meets = drop_faces_behind(s, cell, line);
+  std::size_t reaching = 0;
+  const cell_candidate* next = nullptr;
+  for (const cell_candidate& c : cell.faces) {
+    if (c.inside == 7) continue;
+    ++reaching;
+    if (next == nullptr || s.nearest[c.face] > s.nearest[next->face]) next = &c;
+  }
+  if (reaching > few && halve_cell(s, cell, reaching, line)) return split_cell(s, cell, line, waiting);
+  if (next != nullptr) {
+    unsigned side = 0;
+    while ((next->inside >> side & 1) != 0) ++side;
+    return split_cell(s, cell, s.sides[std::size_t{3} * next->face + side], waiting);
+  }
+  if (meets) return split_cell(s, cell, line, waiting);
+  s.cells.push_back({std::move(cell.corners), cell.faces.empty() ? no_face : s.numbers[cell.faces[0].face]});
+}
+
+template <class Cutting>
+constexpr void cut_into_cells(Cutting& s, const cell_window& w) {
+  s.sides.reserve(3 * s.faces.size());
+  for (std::uint32_t f = 0; f < s.faces.size(); ++f) {
+    for (int i = 0; i < 3; ++i) s.sides.push_back(line_of_side(s.faces, f, i));
+    const float(&depth)[3] = s.faces[f].depth;
+    s.nearest.push_back(greater(depth[0], greater(depth[1], depth[2])));
+    s.farthest.push_back(lesser(depth[0], lesser(depth[1], depth[2])));
+  }
+  window_cell all;
+  const auto edge = [&](picture_line_kind kind, int pixel) {
+    s.lines.push_back(line_of_axis(kind, static_cast<std::int32_t>(pixel * one_pixel)));
+  };
+  edge(picture_line_kind::level, w.y_first);
+  edge(picture_line_kind::upright, w.x_last);
+  edge(picture_line_kind::level, w.y_last);
+  edge(picture_line_kind::upright, w.x_first);
+  for (std::uint32_t i = 0; i < 4; ++i) all.corners.push_back({add_meeting(s, (i + 3) % 4, i), i});
+  for (std::uint32_t f = 0; f < s.faces.size(); ++f) all.faces.push_back({f, 0});
+  std::vector<window_cell> waiting;
+  waiting.push_back(std::move(all));
+  while (!waiting.empty()) {
+    window_cell cell = std::move(waiting.back());
+    waiting.pop_back();
+    cut_or_finish(s, std::move(cell), waiting);
+  }
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg::detail

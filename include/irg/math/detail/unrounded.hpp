@@ -116,7 +116,11 @@ IRG_NOINLINE constexpr T nearest_in_units(const unrounded& x, int e, const Side&
   scaled_number parts = decompose(x.value);
   double rest = times_power_of_two(x.value < 0 ? -x.error : x.error, -parts.exponent);
   double size = magnitude(parts.significand);
-  if (size == 1 && rest < 0) size = 2, rest = 2 * rest, --parts.exponent;
+  if (size == 1 && rest < 0) {
+    size = 2;
+    rest = 2 * rest;
+    --parts.exponent;
+  }
   // In units of the last place of the result.
   const int exponent = parts.exponent + e;
   const int last = exponent - (digits - 1) < lowest ? lowest : exponent - (digits - 1), places = exponent - last;

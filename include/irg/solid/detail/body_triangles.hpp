@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <irg/mesh/face_normal.hpp>
@@ -33,6 +34,18 @@ struct IRG_APART body_triangles {
   constexpr std::uint32_t first_of(std::uint32_t b) const noexcept { return b == 0 ? 0 : ends[b - 1]; }
 };
 
+/// A side of a triangle, by its ends.
+struct triangle_side {
+  std::uint32_t low, high, triangle;
+  constexpr auto operator<=>(const triangle_side&) const = default;
+};
+
+/// Where triangles lie.
+struct body_boxes {
+  std::vector<space_box> triangles{}, bodies{};
+  std::vector<box_tree> trees{};  // of the triangles of each body, seen from above
+};
+
 inline namespace IRG_ABI {
 
 template <Floating T>
@@ -41,7 +54,10 @@ constexpr void append_body(body_triangles& b, const mesh<T>& m) {
   const auto first = static_cast<std::uint32_t>(b.positions.size());
   for (const point<T, 3>& p : m.positions) {
     b.positions.push_back({widened(p.x), widened(p.y), widened(p.z)});
-    if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) b.fault = surface_fault::not_finite, b.faulty = body;
+    if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) {
+      b.fault = surface_fault::not_finite;
+      b.faulty = body;
+    }
   }
   if (b.fault != surface_fault::none) return;
   const mesh<T> triangles = triangulate(m);
@@ -151,6 +167,36 @@ constexpr bool are_level(const Bodies& b, std::uint32_t s, std::uint32_t t) noex
     if (orient3d(at(s, 0), at(s, 1), at(s, 2), at(t, k)) != 0) return false;
   const seen_triangle seen = see_triangle(b.positions, b.triangles[s], s);
   return orientation_along(seen.axis, at(t, 0), at(t, 1), at(t, 2)) == seen.turn;
+}
+
+template <class P>
+constexpr space_box box_of_triangle(const std::vector<P>& positions, const triangle_indices& t) noexcept {
+  space_box box = no_box();
+  for (const std::uint32_t v : t.v) box.add(positions[v]);
+  return box;
+}
+
+template <class Bodies>
+constexpr body_boxes boxes_of_bodies(const Bodies& b) {
+  body_boxes boxes;
+  boxes.triangles.reserve(b.triangles.size());
+  boxes.bodies.assign(b.ends.size(), no_box());
+  std::vector<std::vector<std::uint32_t>> members(b.ends.size());
+  for (std::uint32_t t = 0; t < b.triangles.size(); ++t) {
+    const space_box box = box_of_triangle(b.positions, b.triangles[t]);
+    boxes.triangles.push_back(box);
+    boxes.bodies[b.body[t]].add(box);
+    members[b.body[t]].push_back(t);
+  }
+  for (std::vector<std::uint32_t>& of : members) boxes.trees.emplace_back(std::move(of), 2);
+  return boxes;
+}
+
+// Calls use(t) for the triangles of a body that may stand over p, or over a point within `slack` of it.
+template <class Boxes, class Use>
+constexpr void each_above(Boxes& boxes, std::uint32_t body, const point<double, 3>& p, double slack, const Use& use) {
+  const auto is_off = [&](const space_box& box) { return is_off_ray_upward(box, p, slack); };
+  if (!is_off(boxes.bodies[body])) boxes.trees[body].each(boxes.triangles, is_off, use);
 }
 
 template <class M>

@@ -22,11 +22,12 @@ struct IRG_APART space_box {
 
   constexpr bool operator==(const space_box&) const = default;
 
-  constexpr void add(const point<double, 3>& p) noexcept {
-    for (int i = 0; i < 3; ++i) low[i] = lesser(low[i], p[i]), high[i] = greater(high[i], p[i]);
-  }
+  constexpr void add(const point<double, 3>& p) noexcept { add(space_box{{p.x, p.y, p.z}, {p.x, p.y, p.z}}); }
   constexpr void add(const space_box& b) noexcept {
-    for (int i = 0; i < 3; ++i) low[i] = lesser(low[i], b.low[i]), high[i] = greater(high[i], b.high[i]);
+    for (int i = 0; i < 3; ++i) {
+      low[i] = lesser(low[i], b.low[i]);
+      high[i] = greater(high[i], b.high[i]);
+    }
   }
   IRG_INLINE constexpr bool meets(const space_box& b) const noexcept {
     return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1] &&
@@ -53,6 +54,20 @@ constexpr bool begins_in(const space_box& a, const space_box& b, const space_box
   return true;
 }
 
+/// Whether nothing of a box is above p, nor above any point within `slack` of it.
+constexpr bool is_off_ray_upward(const space_box& box, const point<double, 3>& p, double slack) noexcept {
+  return p.x + slack < box.low[0] || box.high[0] < p.x - slack || p.y + slack < box.low[1] ||
+         box.high[1] < p.y - slack || box.high[2] < p.z - slack;
+}
+
+/// The halves of a box on either side of a place along an axis; false where the box is not on both sides of it.
+constexpr bool halve_box(const space_box& box, int axis, double at, space_box (&halves)[2]) noexcept {
+  if (!(box.low[axis] < at && at < box.high[axis])) return false;
+  halves[0] = halves[1] = box;
+  halves[0].high[axis] = halves[1].low[axis] = at;
+  return true;
+}
+
 /// The axes along which a box is long, the longest first.
 constexpr void order_axes(const space_box& box, int* axes) noexcept {
   const auto half = [&](int i) { return box.high[i] * 0.5 - box.low[i] * 0.5; };
@@ -68,6 +83,8 @@ class IRG_APART box_tree {
 public:
   /// shape   items: places among the boxes that the calls are given; a tree divides them along the first axes
   constexpr box_tree(std::vector<std::uint32_t> items, int axes) : items_(std::move(items)), axes_(axes) {}
+
+  constexpr const std::vector<std::uint32_t>& items() const noexcept { return items_; }
 
   /// Calls use(i) for boxes that skips(box) does not skip: it skips a box round others only where it skips them.
   /// gives   how many boxes were asked
@@ -133,9 +150,49 @@ private:
   std::vector<node> nodes_{};
 };
 
+/// Places among boxes.
+using box_lot = std::vector<std::uint32_t>;
+
+/// Narrows a region to what the boxes of a lot leave of it; false where that is nothing.
+constexpr bool narrow_region(space_box& region, const std::vector<space_box>& boxes, const box_lot& lot) noexcept {
+  space_box all = no_box();
+  for (const std::uint32_t i : lot) all.add(boxes[i]);
+  for (int i = 0; i < 3; ++i) {
+    region.low[i] = greater(region.low[i], all.low[i]);
+    region.high[i] = lesser(region.high[i], all.high[i]);
+    if (region.high[i] < region.low[i]) return false;
+  }
+  return true;
+}
+
+/// Those of a lot that keep(i) keeps. Adds to looks how many were asked.
+template <class Keep>
+constexpr box_lot those_of(const box_lot& lot, std::size_t& looks, const Keep& keep) {
+  looks += lot.size();
+  box_lot kept(lot.size(), 0);
+  std::size_t n = 0;
+  for (const std::uint32_t i : lot) {
+    kept[n] = i;
+    n += keep(i) ? 1u : 0u;
+  }
+  kept.resize(n, 0);
+  return kept;
+}
+
+/// Calls use(i, k) for the boxes i of a lot and k of another that meet, where no plane tells them apart: each of one
+/// lot is asked for in a tree of the other. Adds to looks how many were asked.
+template <class Use>
+constexpr void pair_by_tree(const std::vector<space_box>& boxes, const box_lot& a, const box_lot& b, std::size_t& looks,
+                            const Use& use) {
+  box_tree tree(b, 3);
+  for (const std::uint32_t i : a)
+    looks += tree.each(
+        boxes, [&](const space_box& other) { return !boxes[i].meets(other); }, [&](std::uint32_t k) { use(i, k); });
+}
+
 /// Calls use(a, b) once for every pair of boxes that meet, boxes[a] of the first lot and boxes[b] of the second.
 /// cost    O(n log n) and the pairs, where boxes are told apart by halving along one axis or another, or by a tree of
-///         those that are not
+///         those that are not, such as the faces of shells in shells
 template <class Use>
 class box_pair_search {
 public:
@@ -143,13 +200,12 @@ public:
 
   constexpr box_pair_search(const std::vector<space_box>& boxes, const Use& use) : boxes_(boxes), use_(use) {}
 
-  constexpr void search(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
+  constexpr void search(const box_lot& first, const box_lot& second) {
     constexpr double most = (std::numeric_limits<double>::max)();
     halve(first, second, {{{-most, -most, -most}, {most, most, most}}, 0});
   }
 
 private:
-  using lot = std::vector<std::uint32_t>;
   static constexpr std::size_t few = 400;  // pairs that are looked at one by one
   static constexpr int deepest = 100;
   struct call {
@@ -157,74 +213,41 @@ private:
     int depth;
   };
 
-  constexpr space_box box_of(const lot& l) const noexcept {
-    space_box all = no_box();
-    for (const std::uint32_t i : l) all.add(boxes_[i]);
-    return all;
-  }
-  constexpr lot within(const lot& l, const space_box& region) {
-    looks += l.size();
-    lot kept(l.size(), 0);
-    std::size_t n = 0;
-    for (const std::uint32_t i : l) {
-      kept[n] = i;
-      n += boxes_[i].meets(region) ? 1u : 0u;
-    }
-    kept.resize(n, 0);
-    return kept;
+  constexpr box_lot within(const box_lot& l, const space_box& region) {
+    return those_of(l, looks, [&](std::uint32_t i) { return boxes_[i].meets(region); });
   }
 
-  constexpr void halve(const lot& first, const lot& second, const call& of) {
-    const space_box& cell = of.cell;
-    space_box region = box_of(first);
-    const space_box other = box_of(second);
-    for (int i = 0; i < 3; ++i) {
-      region.low[i] = greater(greater(region.low[i], other.low[i]), cell.low[i]);
-      region.high[i] = lesser(lesser(region.high[i], other.high[i]), cell.high[i]);
-      if (region.high[i] < region.low[i]) return;
-    }
-    const lot a = within(first, region), b = within(second, region);
+  constexpr void halve(const box_lot& first, const box_lot& second, const call& of) {
+    space_box region = of.cell;
+    if (!narrow_region(region, boxes_, first) || !narrow_region(region, boxes_, second)) return;
+    const box_lot a = within(first, region), b = within(second, region);
     if (a.empty() || b.empty()) return;
+    const auto use = [&](std::uint32_t i, std::uint32_t k) {
+      if (boxes_[i].meets(boxes_[k]) && begins_in(boxes_[i], boxes_[k], of.cell)) use_(i, k);
+    };
     if (a.size() * b.size() > few && of.depth < deepest) {
       int axes[3]{};
       order_axes(region, axes);
       for (const int axis : axes)
         if (halve_along(axis, a, b, region, of)) return;
-      return ask_tree(a, b, cell);
+      return pair_by_tree(boxes_, a, b, looks, use);
     }
     looks += a.size() * b.size();
     for (const std::uint32_t i : a)
-      for (const std::uint32_t k : b) use_pair(i, k, cell);
+      for (const std::uint32_t k : b) use(i, k);
   }
 
   // False where halving does not tell boxes apart: where nearly all are in both halves.
-  constexpr bool halve_along(int axis, const lot& a, const lot& b, const space_box& region, const call& of) {
-    space_box lower = of.cell, upper = of.cell;
+  constexpr bool halve_along(int axis, const box_lot& a, const box_lot& b, const space_box& region, const call& of) {
+    space_box regions[2], cells[2];
     const double middle = region.low[axis] * 0.5 + region.high[axis] * 0.5;
-    if (!(region.low[axis] < middle && middle < region.high[axis])) return false;
-    lower.high[axis] = upper.low[axis] = middle;
-    space_box lower_region = region, upper_region = region;
-    lower_region.high[axis] = upper_region.low[axis] = middle;
-    const lot a_low = within(a, lower_region), a_high = within(a, upper_region);
-    const lot b_low = within(b, lower_region), b_high = within(b, upper_region);
-    if ((a_low.size() + a_high.size() + b_low.size() + b_high.size()) * 2 >= (a.size() + b.size()) * 3) return false;
-    halve(a_low, b_low, {lower, of.depth + 1});
-    halve(a_high, b_high, {upper, of.depth + 1});
+    if (!halve_box(region, axis, middle, regions) || !halve_box(of.cell, axis, middle, cells)) return false;
+    const box_lot of_a[] = {within(a, regions[0]), within(a, regions[1])};
+    const box_lot of_b[] = {within(b, regions[0]), within(b, regions[1])};
+    const std::size_t both = of_a[0].size() + of_a[1].size() + of_b[0].size() + of_b[1].size();
+    if (both * 2 >= (a.size() + b.size()) * 3) return false;
+    for (int i = 0; i < 2; ++i) halve(of_a[i], of_b[i], {cells[i], of.depth + 1});
     return true;
-  }
-
-  constexpr void use_pair(std::uint32_t i, std::uint32_t k, const space_box& cell) {
-    if (boxes_[i].meets(boxes_[k]) && begins_in(boxes_[i], boxes_[k], cell)) use_(i, k);
-  }
-
-  // Boxes that no middle plane tells apart, such as the faces of shells in shells: each of one lot is asked for in a
-  // tree of the other.
-  constexpr void ask_tree(const lot& a, const lot& b, const space_box& cell) {
-    box_tree tree(b, 3);
-    for (const std::uint32_t i : a)
-      looks += tree.each(
-          boxes_, [&](const space_box& other) { return !boxes_[i].meets(other); },
-          [&](std::uint32_t k) { use_pair(i, k, cell); });
   }
 
   const std::vector<space_box>& boxes_;

@@ -17,7 +17,13 @@ namespace irg::detail::inline IRG_ABI {
 template <class Exact>
 struct near_point {
   const Exact& exact;
-  point<double, 3> rounded;
+  point<double, 3> rounded = exact.rounded();
+
+  // How far these may be from it, and more.
+  constexpr double slack() const noexcept {
+    const double size = greater(greater(magnitude(rounded.x), magnitude(rounded.y)), magnitude(rounded.z));
+    return size * 0x1p-50 + 0x1p-1000;
+  }
 };
 
 // orient2d of a, b and a point, seen along an axis: by the rounded point where that tells.
@@ -38,7 +44,8 @@ constexpr void count_exact_crossing(const std::vector<point<double, 3>>& positio
   bool none_right = true, none_left = true;
   for (int k = 0; k < 3; ++k) {
     sign[k] = orientation_near(2, at(k), at(k + 1), p);
-    none_right = none_right && sign[k] >= 0, none_left = none_left && sign[k] <= 0;
+    none_right = none_right && sign[k] >= 0;
+    none_left = none_left && sign[k] <= 0;
   }
   if (none_right == none_left) return;  // beside, or upright
   const int side = side_of_plane(at(0), at(1), at(2), p.exact), turn = none_right ? 1 : -1;

@@ -91,6 +91,13 @@ public:
     return irg::compare_along(axis, exact(u, 0), exact(v, 1));
   }
 
+  // Of each vertex its own number.
+  constexpr std::vector<std::uint32_t> numbers() const {
+    std::vector<std::uint32_t> own;
+    own.reserve(at.size());
+    while (own.size() < at.size()) own.push_back(static_cast<std::uint32_t>(own.size()));
+    return own;
+  }
   // Vertices in one place become one: some of them in any order, to[v] gets the least that lies where v does.
   constexpr void merge(std::vector<std::uint32_t>& some, std::vector<std::uint32_t>& to) {
     const auto order = [this](std::uint32_t u, std::uint32_t v) {

@@ -114,7 +114,11 @@ private:
       if (s.is_closed) continue;
       const std::uint32_t a = lesser(s.polygon.front(), s.polygon.back());
       const std::uint32_t b = greater(s.polygon.front(), s.polygon.back());
-      if (low == no_index) low = a, high = b, triangle = surface_[s.triangles.front()].source;
+      if (low == no_index) {
+        low = a;
+        high = b;
+        triangle = surface_[s.triangles.front()].source;
+      }
       if (low != a || high != b || a == b || s.polygon.size() < 3) return false;
     }
     if (low == no_index) return true;

@@ -2,10 +2,10 @@
 // The cells that are seen from one, found row by row in one quadrant.
 //
 // Seen from the viewer, column x and row y of a quadrant are both >= 0. The directions x/y that are not blocked yet
-// are kept as gaps between two slopes each, in order. A full cell at the row y blocks the slopes between those of its
-// corners, (2x-1)/(2y+1) and (2x+1)/(2y-1); a wall those between its ends. Whether a slope that is an end of what is
-// blocked is blocked itself is for the corner that it runs through to say. All of it is in whole numbers: slopes are
-// fractions, and the column that each gap's end has reached is counted on from row to row.
+// are kept as open sectors between two slopes each, in order. A full cell at the row y blocks the slopes between those
+// of its corners, (2x-1)/(2y+1) and (2x+1)/(2y-1); a wall those between its ends. Whether a slope that is an end of
+// what is blocked is blocked itself is for the corner that it runs through to say. All of it is in whole numbers:
+// slopes are fractions, and the column that each sector's end has reached is counted on from row to row.
 #pragma once
 
 #include <bit>
@@ -18,18 +18,18 @@
 
 namespace irg::detail {
 
-// A direction, x over y; closed when the direction itself belongs to the gap that it ends.
+// A direction, x over y; closed when the direction itself belongs to the sector that it ends.
 struct sweep_slope {
   std::int64_t num = 0, den = 1;
   bool closed = true;
 };
 
-// The end of a gap, and the column floor(y num / den) = x that it has reached in the row y, with the rest.
+// The end of a sector, and the column floor(y num / den) = x that it has reached in the row y, with the rest.
 struct sweep_end {
   sweep_slope slope;
   std::int64_t x = 0, rest = 0, dx = 0, drest = 0;
 };
-struct sweep_gap {
+struct open_sector {
   sweep_end low, high;
 };
 
@@ -42,7 +42,7 @@ constexpr sweep_end end_at(const sweep_slope& s, std::int64_t y) noexcept {
   const std::int64_t x = s.num * y / s.den, dx = s.num / s.den;
   return {s, x, s.num * y - x * s.den, dx, s.num - dx * s.den};
 }
-IRG_INLINE constexpr void go_on(sweep_end& e) noexcept {
+IRG_INLINE constexpr void step_row(sweep_end& e) noexcept {
   e.x += e.dx;
   e.rest += e.drest;
   if (e.rest >= e.slope.den) {
@@ -50,7 +50,7 @@ IRG_INLINE constexpr void go_on(sweep_end& e) noexcept {
     ++e.x;
   }
 }
-// The first and the last column of the row whose cells' centres are in the gap.
+// The first and the last column of the row whose cells' centres are in the sector.
 IRG_INLINE constexpr std::int64_t first_column(const sweep_end& low) noexcept {
   return low.x + (low.rest > 0 || !low.slope.closed ? 1 : 0);
 }
@@ -89,7 +89,7 @@ public:
     std::int64_t radius;
   };
 
-  constexpr row_sweep(const task& t, std::vector<sweep_gap>& now, std::vector<sweep_gap>& next, Emit& sink)
+  constexpr row_sweep(const task& t, std::vector<open_sector>& now, std::vector<open_sector>& next, Emit& sink)
       : task_(t), walled_(t.map->walled()), now_(now), next_(next), emit_(sink) {
     const grid_extent e = t.map->extent();
     right_ = t.sign_x > 0 ? e.width - 1 - t.viewer.x : t.viewer.x;
@@ -110,17 +110,17 @@ public:
     for (std::int64_t y = begin; y <= rows_ && !now_.empty(); ++y) {
       while (task_.radius - right_ < y && right_ * right_ + y * y > task_.radius * task_.radius) --right_;
       next_.clear();
-      for (sweep_gap& g : now_) {
-        const std::int64_t first = g.low.x;  // of the row before: what the gap can touch in this one begins there
+      for (open_sector& g : now_) {
+        const std::int64_t first = g.low.x;  // of the row before: what the sector can touch in this one begins there
         if (first > right_) break;
-        go_on(g.low);
-        go_on(g.high);
+        step_row(g.low);
+        step_row(g.high);
         const std::int64_t last = lesser(right_, g.high.x + g.high.dx + 2), b = next_blocker(y, first, last);
         if (b <= last) {
           cross_row(g, y, first, last, b);
           continue;
         }
-        look(y, first, last, g.low, true, g.high);
+        emit_between(y, first, last, g.low, true, g.high);
         next_.push_back(g);
       }
       now_.swap(next_);
@@ -179,10 +179,10 @@ private:
     return !stops_at_corner(*task_.map, {{column(x), line(y), 0}, {task_.sign_x, task_.sign_y, 1}, 3}, task_.corners);
   }
 
-  constexpr void give(std::int64_t y, std::int64_t first, std::int64_t last) {
+  constexpr void emit_centres(std::int64_t y, std::int64_t first, std::int64_t last) {
     if (first <= last) emit_.centres(y, first, last);
   }
-  constexpr void keep(const sweep_end& low, const sweep_end& high) {
+  constexpr void push_sector(const sweep_end& low, const sweep_end& high) {
     const std::int64_t c = compare(low.slope, high.slope);
     if (c < 0 || (c == 0 && low.slope.closed && high.slope.closed)) next_.push_back({low, high});
   }
@@ -193,7 +193,7 @@ private:
     if constexpr (has_light)
       emit_.light(0, 0, lesser(b, right_), sweep_slope{}, sweep_slope{1, 0, true});
     else
-      give(0, 0, lesser(b, right_));
+      emit_centres(0, 0, lesser(b, right_));
     if (b <= right_) {
       const bool cell_blocks = is_full_at(0, b);
       high = {cell_blocks ? 2 * b - 1 : 2 * b + 1, 1, corner_lets(cell_blocks ? b - 1 : b, 0)};
@@ -204,32 +204,33 @@ private:
   }
 
   // Emits what of the columns first to last is seen between the two ends.
-  constexpr void look(std::int64_t y, std::int64_t first, std::int64_t last, const sweep_end& low, bool counted,
-                      const sweep_end& high) {
+  constexpr void emit_between(std::int64_t y, std::int64_t first, std::int64_t last, const sweep_end& low, bool counted,
+                              const sweep_end& high) {
     if (first > last) return;
     if constexpr (has_light) {
       emit_.light(y, first, last, low.slope, high.slope);
     } else {
       last = lesser(last, last_column(high));
       if (first > last) return;
-      if (counted) return give(y, greater(first, first_column(low)), last);
+      if (counted) return emit_centres(y, greater(first, first_column(low)), last);
       const sweep_slope centre{first, y, true};
       const std::int64_t c = compare(low.slope, centre);
       if (c > 0 || (c == 0 && !low.slope.closed)) {
         if (first == last) return;
         first = greater(first, first_column(end_at(low.slope, y)));
       }
-      give(y, first, last);
+      emit_centres(y, first, last);
     }
   }
 
-  // Takes what blocks in a row from a gap. Cells in the row that are seen have nothing that blocks on their left but
+  // Takes what blocks in a row from a sector. Cells in the row that are seen have nothing that blocks on their left but
   // what the slope `low` passes.
-  constexpr void cross_row(const sweep_gap& g, std::int64_t y, std::int64_t first, std::int64_t last, std::int64_t b) {
+  constexpr void cross_row(const open_sector& g, std::int64_t y, std::int64_t first, std::int64_t last,
+                           std::int64_t b) {
     sweep_end low = g.low;
     bool counted = true;  // whether low knows its column
     for (std::int64_t x = first;; b = next_blocker(y, x, last)) {
-      look(y, x, lesser(b, last), low, counted, g.high);
+      emit_between(y, x, lesser(b, last), low, counted, g.high);
       if (b > last) break;
       const bool cell_blocks = is_full_at(y, b);
       sweep_slope before{cell_blocks ? 2 * b - 1 : 2 * b + 1, 2 * y + 1, true};
@@ -237,14 +238,14 @@ private:
       if (beyond > 0) break;
       if (compare(low.slope, before) <= 0) {
         before.closed = corner_lets(cell_blocks ? b - 1 : b, y) && (beyond < 0 || g.high.slope.closed);
-        keep(counted ? low : end_at(low.slope, y), end_at(before, y));
+        push_sector(counted ? low : end_at(low.slope, y), end_at(before, y));
       }
       std::int64_t q = b;
       if (!has_light && cell_blocks) {  // of cells side by side, those that are reached from the row below are seen
         q = run_end(y, b, last);
         if constexpr (has_looked) emit_.looked(y, b, q);
-        look(y, b + 1, lesser(q, y - 1), low, counted, g.high);
-        if (b < y && y <= q && corner_lets(y - 1, y - 1)) look(y, y, y, low, counted, g.high);
+        emit_between(y, b + 1, lesser(q, y - 1), low, counted, g.high);
+        if (b < y && y <= q && corner_lets(y - 1, y - 1)) emit_between(y, y, y, low, counted, g.high);
       }
       sweep_slope after{2 * q + 1, 2 * y - 1, true};
       const std::int64_t ahead = compare(after, low.slope);
@@ -257,13 +258,13 @@ private:
       }
       x = q + 1;
     }
-    keep(counted ? low : end_at(low.slope, y), g.high);
+    push_sector(counted ? low : end_at(low.slope, y), g.high);
   }
 
-  // Takes the walls between this row and the next from all gaps.
+  // Takes the walls between this row and the next from all sectors.
   constexpr void cross_walls(std::int64_t y) {
     next_.clear();
-    for (const sweep_gap& g : now_) {
+    for (const open_sector& g : now_) {
       sweep_end low = g.low;
       const std::int64_t last = lesser(right_, g.high.x + g.high.dx + 2);
       bool blocked = false;
@@ -274,7 +275,7 @@ private:
         if (beyond > 0) break;
         if (before.num >= 0 && compare(low.slope, before) <= 0) {
           before.closed = corner_lets(x - 1, y) && (beyond < 0 || g.high.slope.closed);
-          keep(low, end_at(before, y));
+          push_sector(low, end_at(before, y));
         }
         const std::int64_t ahead = compare(after, low.slope);
         if (ahead < 0) continue;
@@ -283,7 +284,7 @@ private:
         const std::int64_t c = compare(after, g.high.slope);
         blocked = c > 0 || (c == 0 && !(after.closed && g.high.slope.closed));
       }
-      if (!blocked) keep(low, g.high);
+      if (!blocked) push_sector(low, g.high);
     }
     now_.swap(next_);
   }
@@ -291,7 +292,7 @@ private:
   task task_;
   bool walled_;
   std::int64_t right_ = 0, rows_ = 0;
-  std::vector<sweep_gap>&now_, &next_;
+  std::vector<open_sector>&now_, &next_;
   Emit& emit_;
 };
 

@@ -215,7 +215,10 @@ struct place_chooser {
     }
     const std::size_t k = n == 2 ? 1 : triangle_of(corners);
     double s = unit(), t = n == 2 ? 0 : unit();
-    if (s + t > 1) s = 1 - s, t = 1 - t;
+    if (s + t > 1) {
+      s = 1 - s;
+      t = 1 - t;
+    }
     for (int i = 0; i < 3; ++i) {
       const T along = between(origin[i], corners[k][i], s);
       out[i] = n == 2 ? along : plus(along, between(origin[i], corners[k + 1][i], t), origin[i]);

@@ -27,7 +27,7 @@ struct tile {
   alignas(64) std::uint32_t id[tile_size * tile_stride];
   alignas(64) float farthest_key[blocks_across * blocks_across];
   float farthest;  // the least of `farthest_key`
-  std::uint64_t stale;  // the blocks that were drawn to since their `farthest_key` was reckoned
+  std::uint64_t stale;  // the blocks that were drawn to since their `farthest_key` was computed
   int width, height;  // of the part that lies in the picture
 };
 

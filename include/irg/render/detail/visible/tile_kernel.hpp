@@ -230,7 +230,7 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<J>&
     size = size + (absolute(start[i]) + (absolute(gain_right) * across + absolute(gain_down) * along));
   }
   // The nearest that the plane comes within a block, and as much nearer as rounding may amount to, here and where the
-  // keys of pixels are reckoned. Of subnormal numbers each product loses up to 2^-150, those of slopes times the pixels
+  // keys of pixels are computed. Of subnormal numbers each product loses up to 2^-150, those of slopes times the pixels
   // of a tile: less than 2^-140 together, and slack is more.
   const auto rise = high_of(slope_right, zero) * last + high_of(slope_down, zero) * last;
   const auto nearest_first =
