@@ -32,52 +32,24 @@ template <class T, int N>
 struct small_lanes {
   using integers = pack<std::int32_t, N>;
   using floats = pack<float, N>;
-  using J = lanes<integers>;
-  using F = lanes<floats>;
 
   corner_lanes<N> c;
   const triangle_batch<T>* batch;
-  integers flip, dx[3], dy[3];
-  floats scale, unit;
+  integers double_area;
 
   // gives   false when they are not all small, or of several batches, or pieces
   IRG_INLINE bool collect(const triangle_finder<T>& find, const integers& number) noexcept {
     batch = c.collect(find, number);
     if (batch == nullptr) return false;
-    const integers width = high_of(high_of(c.x[0], c.x[1]), c.x[2]) - low_of(low_of(c.x[0], c.x[1]), c.x[2]);
-    const integers height = high_of(high_of(c.y[0], c.y[1]), c.y[2]) - low_of(low_of(c.y[0], c.y[1]), c.y[2]);
-    const integers limit = J::broadcast(1 << 15);
-    if (mask_bits(both(width < limit, height < limit)) != (1u << N) - 1) return false;
-    const integers area = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.y[1] - c.y[0]) * (c.x[2] - c.x[0]);
-    flip = area < J::broadcast(0);
-    const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
-    scale = F::broadcast(one_pixel) / to_float(turned(area));
-    unit = scale * F::broadcast(1.0f / one_pixel);
-    for (int k = 0; k < 3; ++k) {
-      const int p = (k + 1) % 3, q = (k + 2) % 3;
-      dx[k] = turned(c.x[q] - c.x[p]);
-      dy[k] = turned(c.y[q] - c.y[p]);
-    }
+    const triangle_boxes<N> boxes(c.x, c.y);
+    if (mask_bits(boxes.narrow) != (1u << N) - 1) return false;
+    double_area = boxes.double_area;
     return true;
-  }
-
-  // Edge function k at a pixel near the triangle, and what it leaves of the exact one, as a weight.
-  struct edge_at {
-    integers f;
-    floats rest;
-  };
-  IRG_INLINE edge_at edge(int k, const integers& column, const integers& row) const noexcept {
-    const int p = (k + 1) % 3;
-    const integers zero = J::broadcast(0), pixel = J::broadcast(one_pixel), half = J::broadcast(half_pixel);
-    const integers e = dx[k] * (row * pixel + half - c.y[p]) - dy[k] * (column * pixel + half - c.x[p]);
-    const integers owns = (dy[k] < zero) | both(dy[k] == zero, zero < dx[k]);
-    const integers f = ((e - J::broadcast(1)) - owns) >> subpixel_bits;
-    return {f, to_float(e - f * pixel) * unit};
   }
 
   // Calls each(j, a, b, c) with attribute j at the three vertices.
   template <class Shading, class Each>
-  IRG_INLINE void for_each_attribute(const Shading& shading, const Each& each) const noexcept {
+  IRG_INLINE void for_each_attribute(const Shading& shading, const integers& flip, const Each& each) const noexcept {
     const unsigned flipped = mask_bits(flip);
     const float* const front = shading.attributes(*batch, 0, flipped != 0 ? facing::front : facing::back);
     const float* const back = shading.attributes(*batch, 0, flipped != (1u << N) - 1 ? facing::back : facing::front);
@@ -154,6 +126,7 @@ struct attribute_setup {
   IRG_NOINLINE bool prepare_small(small_triangles& out, const integers& number) const noexcept {
     small_lanes<T, lane_count> s;
     if (!s.collect(find, number)) return false;
+    const edge_lanes<lane_count> edges(s.c.x, s.c.y, s.double_area);
     // F at the first pixel of the box, where nothing overflows, and from there at the tile's first.
     const auto first_of = [](const integers(&v)[3], int least, int most) {
       const integers low = low_of(low_of(v[0], v[1]), v[2]);
@@ -161,17 +134,17 @@ struct attribute_setup {
     };
     const integers column = first_of(s.c.x, window.x_first, window.x_last),
                    row = first_of(s.c.y, window.y_first, window.y_last);
-    F::store(out.scale, s.scale);
+    F::store(out.scale, edges.scale);
     for (int k = 0; k < 3; ++k) {
-      const auto [f, rest] = s.edge(k, column, row);
-      F::store(out.f[k], to_float(f + s.dy[k] * (column - J::broadcast(window.x_first)) -
-                                  s.dx[k] * (row - J::broadcast(window.y_first))));
-      F::store(out.right[k], to_float(J::broadcast(0) - s.dy[k]));
-      F::store(out.down[k], to_float(s.dx[k]));
+      const auto [f, rest] = edges(k, column, row);
+      F::store(out.f[k], to_float(f + edges.dy[k] * (column - J::broadcast(window.x_first)) -
+                                  edges.dx[k] * (row - J::broadcast(window.y_first))));
+      F::store(out.right[k], to_float(J::broadcast(0) - edges.dy[k]));
+      F::store(out.down[k], to_float(edges.dx[k]));
       F::store(out.rest[k], rest);
       F::store(out.inverse_w[k], s.c.inverse_w[k]);
     }
-    s.for_each_attribute(shading, [&](std::size_t j, const floats& a, const floats& b, const floats& c) {
+    s.for_each_attribute(shading, edges.flip, [&](std::size_t j, const floats& a, const floats& b, const floats& c) {
       F::store(out.at0[j], a);
       F::store(out.change1[j], b - a);
       F::store(out.change2[j], c - a);
@@ -188,19 +161,21 @@ struct attribute_setup {
     small_lanes<T, lane_count> s;
     if (!s.collect(find, gather<std::int32_t>(numbers.data(), select(ids == J::broadcast(-1), some, ids))))
       return false;
+    const edge_lanes<lane_count> edges(s.c.x, s.c.y, s.double_area);
     const integers column = J::ramp() + J::broadcast(x_first), row = J::broadcast(y);
     floats b[3];
     for (int k = 0; k < 3; ++k) {
-      const auto [f, rest] = s.edge(k, column, row);
-      b[k] = to_float(f) * s.scale + rest;
+      const auto [f, rest] = edges(k, column, row);
+      b[k] = to_float(f) * edges.scale + rest;
     }
     const auto& w = s.c.inverse_w;
     const floats b1 = b[1] * w[1], b2 = b[2] * w[2];
     const floats inverse = F::broadcast(1) / (b[0] * w[0] + (b1 + b2));
     const floats weight1 = b1 * inverse, weight2 = b2 * inverse;
-    s.for_each_attribute(shading, [&](std::size_t j, const floats& at0, const floats& at1, const floats& at2) {
-      out[j] = at0 + (weight1 * (at1 - at0) + weight2 * (at2 - at0));
-    });
+    s.for_each_attribute(shading, edges.flip,
+                         [&](std::size_t j, const floats& at0, const floats& at1, const floats& at2) {
+                           out[j] = at0 + (weight1 * (at1 - at0) + weight2 * (at2 - at0));
+                         });
     return true;
   }
 };

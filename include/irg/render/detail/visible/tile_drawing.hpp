@@ -129,7 +129,7 @@ struct tile_painter {
     const auto& depth = c.depth;
     for (int i = 0; i < count; ++i) g.place[i] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i);
     const triangle_boxes<count> boxes(x, y);
-    const integers &narrow = boxes.narrow, &area = boxes.double_area, zero = J::broadcast(0), one = J::broadcast(1);
+    const integers &narrow = boxes.narrow, &area = boxes.double_area, zero = J::broadcast(0);
     const unsigned everyone = (1u << used) - 1, large = ~mask_bits(narrow) & everyone;
 
     const auto within = [&](const integers& v, int least, int end) {
@@ -140,24 +140,16 @@ struct tile_painter {
                    y_first = within(first_centre(boxes.top), window.y_first, window.y_last),
                    y_last = within(last_centre(boxes.bottom), window.y_first, window.y_last);
 
-    const integers flip = area < zero;
-    const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
-    const floats scale = F::broadcast(one_pixel) / to_float(turned(area)),
-                 unit = scale * F::broadcast(1.0f / one_pixel);
-    const integers centre_x = x_first * J::broadcast(one_pixel) + J::broadcast(half_pixel),
-                   centre_y = y_first * J::broadcast(one_pixel) + J::broadcast(half_pixel);
+    const edge_lanes<count> edges(x, y, area);
     floats part[3];
     dots d;
     for (int k = 0; k < 3; ++k) {
-      const int p = (k + 1) % 3, q = (k + 2) % 3;
-      const integers dx = turned(x[q] - x[p]), dy = turned(y[q] - y[p]);
-      const integers e = dx * (centre_y - y[p]) - dy * (centre_x - x[p]);
-      const integers owns = (dy < zero) | both(dy == zero, zero < dx);
-      d.f[k] = ((e - one) - owns) >> subpixel_bits;
-      d.right[k] = zero - dy;
-      d.down[k] = dx;
-      part[k] = (to_float(e - d.f[k] * J::broadcast(one_pixel)) * unit) * depth[k];
-      d.gain[k] = (scale * depth[k]) * F::broadcast(order.sign);
+      const auto [f, rest] = edges(k, x_first, y_first);
+      d.f[k] = f;
+      d.right[k] = zero - edges.dy[k];
+      d.down[k] = edges.dx[k];
+      part[k] = rest * depth[k];
+      d.gain[k] = (edges.scale * depth[k]) * F::broadcast(order.sign);
     }
     d.rest = (part[0] + (part[1] + part[2])) * F::broadcast(order.sign);
     const floats key0 = depth[0] * F::broadcast(order.sign), key1 = depth[1] * F::broadcast(order.sign),
