@@ -73,9 +73,11 @@ public:
 
   constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const override {
     if (!std::is_constant_evaluated()) {
-      if constexpr (AttributeShading<MakeShader, triangle_batch<T>> && !is_dear<MakeShader>)
-        return attribute_kernel<T, MakeShader, Colour>{
-            v.place, {find, v.numbers, v.window, make_shader_}, colour_, background_}();
+      if constexpr (AttributeShading<MakeShader, triangle_batch<T>> && !is_dear<MakeShader>) {
+        attribute_pass<T, MakeShader, Colour> pass{
+            v.place, {find, v.numbers, v.window, make_shader_}, colour_, background_};
+        return shade_by_attributes(pass);
+      }
       if (background_ != nullptr) clear(v.window);
       return shade_by_triangle<T, MakeShader>{v, find, make_shader_}.template in_lanes<pack<float, tile_lanes>>(
           colour_);

@@ -79,8 +79,8 @@ inline namespace IRG_ABI {
 template <class T>
 std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers, const triangle_finder<T>& find,
                                          float sign) {
-  constexpr int count = tile_triangles::most;
-  using F = lanes<pack<float, count>>;
+  constexpr int count = tile_lanes;
+  using F = lanes<tile_floats>;
   const std::size_t size = numbers.size();
   std::vector<float> key(size + count);
   auto least = F::broadcast(beyond_everything), greatest = F::broadcast(-beyond_everything);
@@ -238,10 +238,10 @@ IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_
     sorted = front_to_back(numbers, find, sign);
     numbers = sorted;
   }
-  tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, job.workspace.seen.data(), Order::farthest * sign};
-  painter.template draw_list<Test>();
+  tile_pass<T> pass{find, numbers, w, {sign, front_first}, t, job.workspace.seen.data(), Order::farthest * sign};
+  draw_list<Test>(pass);
   if (job.clear == clearing::none || job.depth == depth_result::kept) store_depths<Test>(t, depth, w, sign);
-  return {painter.tested, 0, painter.ties};
+  return {pass.tested, 0, pass.ties};
 }
 
 // The z-buffer, and drawing in the order given: what a tile shows by comparing depths.
