@@ -170,7 +170,7 @@ struct styled_objects {
   std::span<const triangle_batch<T>> batches;
   const screen_mapping<T>& mapping;
   const render_options& options;
-  draw_workspace& workspace;
+  drawing_lists& lists;
 };
 
 // Clears the picture and draws the objects, Output deciding what becomes of light.
@@ -178,12 +178,11 @@ template <class Output, class Method, class T, class Target, class E>
 constexpr render_stats draw_styled(const Method& method, const styled_objects<T>& s, const Target& to,
                                    const E& executor) {
   const auto draw = [&]<class Shading>(const Shading& shading) {
-    return draw_tiles<T>(
-        method, to.depth,
-        {s.batches, s.mapping, s.workspace, s.options.culling, s.options.skip, clearing::before_drawing},
-        colour_tiles<T, std::remove_reference_t<decltype(to.colour)>, Shading>(to.colour, shading,
-                                                                               clearing::before_drawing, to.background),
-        executor);
+    return draw_tiles<T>(method, to.depth,
+                         {s.batches, s.mapping, s.lists, s.options.culling, s.options.skip, clearing::before_drawing},
+                         colour_tiles<T, std::remove_reference_t<decltype(to.colour)>, Shading>(
+                             to.colour, shading, clearing::before_drawing, to.background),
+                         executor);
   };
   if (s.options.style == picture_style::flat) return draw(flat_pixels<Output, T>{s.objects});
   if (s.options.style == picture_style::gouraud) return draw(gouraud_pixels<Output, T>{s.objects});
@@ -305,14 +304,14 @@ constexpr render_stats draw_filled(const Method& method, const picture_frame<T>&
     run.observer(render_stage::prepare);
     shadings.emplace_back(o, f.light, eye).prepare(f.options.style, f.options.culling, run.executor);
     run.observer(render_stage::shade);
-    project_vertices<T>(o.frame.vertices, o.body.positions, f.to_clip, f.mapping, run.executor);
-    batches.push_back({&o.frame.vertices, o.body.triangles, number, static_cast<std::uint32_t>(batches.size())});
+    project_vertices<T>(kept_of(o).vertices, o.body.positions, f.to_clip, f.mapping, run.executor);
+    batches.push_back({&kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(batches.size())});
     if constexpr (requires { method.note_object(k, number, o.body.triangles.size()); })
       method.note_object(k, number, o.body.triangles.size());
     number += static_cast<std::uint32_t>(o.body.triangles.size());
     run.observer(render_stage::project);
   }
-  const styled_objects<T> styled{shadings, batches, f.mapping, f.options, workspace};
+  const styled_objects<T> styled{shadings, batches, f.mapping, f.options, lists_of(workspace)};
   const picture_target to{run.colour, run.depth, f.options.colours.background};
   render_stats stats = f.options.intensities == intensity_range::rescale
                            ? draw_rescaled(method, styled, to, run.executor)

@@ -110,7 +110,7 @@ struct method_tiles {
   constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i,
                                    const tile_finish<T>& finish) const {
     const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
-    const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
+    const std::span<const std::uint32_t> numbers = job.lists.bins.list_of(i);
     const triangle_finder<T> find = job.finder();
     draw_counts counts;
     const window_faces<T> faces = make_window_faces{}(find, numbers);
