@@ -368,7 +368,7 @@ struct studio_drawing {
     objects.back().shading.prepare(flat    ? picture_style::flat
                                    : phong ? picture_style::phong
                                            : picture_style::gouraud,
-                                   culling, sequential{});
+                                   culling, as_executor(sequential{}));
     project_vertices<T>(kept_of(part).vertices, part.body.positions, to_clip, mapping);
   }
 

@@ -105,7 +105,7 @@ constexpr render_stats draw_batches(render_target<Colour, Depth> target, const p
   return detail::draw_tiles<T>(
       detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
       detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
-      executor);
+      as_executor(executor));
 }
 
 }  // namespace irg::inline IRG_ABI

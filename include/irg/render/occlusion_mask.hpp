@@ -105,9 +105,9 @@ struct keep_farthest final : tile_finish<T> {
   }
 };
 
-template <class Order, class T, class E>
+template <class Order, class T>
 constexpr void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
-                              const screen_mapping<T>& mapping, face_culling culling, const E& executor) {
+                              const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor) {
   triangle_bins& bins = m.lists.bins;
   bin_triangles(bins, batches, {mapping, m.grid, culling}, executor);
   m.lists.seen.assign(bins.triangle_count, 0);
@@ -217,7 +217,7 @@ public:
   IRG_INLINE constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches,
                                             const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
                                             const E& executor = {}) {
-    detail::draw_occluders<Order>(memory_, batches, mapping, culling, executor);
+    detail::draw_occluders<Order>(memory_, batches, mapping, culling, as_executor(executor));
     const detail::triangle_bins& bins = memory_.lists.bins;
     return {static_cast<std::int64_t>(bins.triangle_count), bins.skipped, bins.listed};
   }

@@ -47,7 +47,7 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, cell siz
   }
   const detail::picture_tiles grid(size.x, size.y);
   detail::triangle_bins& bins = detail::lists_of(world.workspace).bins;
-  detail::bin_triangles<T>(bins, batches, {mapping, grid, culling}, sequential{});
+  detail::bin_triangles<T>(bins, batches, {mapping, grid, culling}, as_executor(sequential{}));
   const std::size_t tile =
       static_cast<std::size_t>(pixel.y / detail::tile_size) * static_cast<std::size_t>(grid.across) +
       static_cast<std::size_t>(pixel.x / detail::tile_size);

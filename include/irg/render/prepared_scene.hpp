@@ -101,14 +101,31 @@ template <Floating T>
   return e;
 }
 
+}  // namespace IRG_ABI
+
+namespace detail::inline IRG_ABI {
+
+// All of an object but its extent.
+template <class T>
+constexpr void prepare_rest(prepared_object<T>& to, const object<T>& from) {
+  to.shape = transform_mesh(from.shape, from.placement);
+  to.body = make_drawable(to.shape);
+  to.surface = from.surface;
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
 /// An object made ready: moved into the world, cut into triangles, with normals where it had none.
 /// needs   a mesh whose faces have no defect that validate (mesh/validate.hpp) knows
 /// cost    linear, and ear clipping for faces of more than three corners; allocates the result
 template <Floating T>
 [[nodiscard]] constexpr prepared_object<T> prepare_object(const object<T>& o) {
-  mesh<T> shape = transform_mesh(o.shape, o.placement);
-  drawable<T> body = make_drawable(shape);
-  return {std::move(shape), std::move(body), extent_of(o), o.surface, {}};
+  prepared_object<T> made;
+  made.extent = extent_of(o);
+  detail::prepare_rest(made, o);
+  return made;
 }
 
 /// A scene made ready, all of its objects prepared.

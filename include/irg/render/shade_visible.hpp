@@ -49,7 +49,7 @@ constexpr render_stats shade_visible(render_target<Colour, Depth> target, const 
       detail::method_tiles<Order, detail::ids_as_they_are>{method, seen.ids}, target.depth,
       detail::job_of(seen.of, settings, own),
       detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
-      executor);
+      as_executor(executor));
 }
 
 }  // namespace IRG_ABI

@@ -60,7 +60,7 @@ constexpr render_stats draw_visibility(render_target<Ids, Depth> target, const p
                                        const depth_settings& settings = {}, const E& executor = {}) {
   draw_workspace own;
   return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
-                               detail::number_tiles<T, Ids>(target.colour, settings.clear), executor);
+                               detail::number_tiles<T, Ids>(target.colour, settings.clear), as_executor(executor));
 }
 
 }  // namespace IRG_ABI

@@ -423,8 +423,7 @@ constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, cons
 }
 
 // Lays the lists of all portions one after the other.
-template <class E>
-constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& executor) {
+constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const executor_ref& executor) {
   bins.tile_first.assign(tiles + 1, 0);
   bins.tile_area.assign(tiles, 0.0f);
   bins.skipped = {};
@@ -460,9 +459,9 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
 }
 
 // Makes the lists of all tiles for the triangles of all batches.
-template <class T, class E>
+template <class T>
 constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                             const listing_rules<T>& rules, const E& executor) {
+                             const listing_rules<T>& rules, const executor_ref& executor) {
   constexpr std::uint32_t portion = 1 << 15;
   std::size_t used = 0;
   bins.triangle_count = 0;

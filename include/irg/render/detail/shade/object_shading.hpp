@@ -195,8 +195,7 @@ struct object_shading {
   }
 
   // Works out the colours that the style keeps, unless they are there from the last picture.
-  template <class E>
-  constexpr void prepare(picture_style style, face_culling culling, const E& executor) {
+  constexpr void prepare(picture_style style, face_culling culling, const executor_ref& executor) {
     const lighting<T>& light = flat.light;
     object_frame<T>& frame = kept_of(made);
     shading_key<T> key{
@@ -226,8 +225,8 @@ struct object_shading {
 
 private:
   // Calls f(first, last) for all of count, a thousand of them in a task.
-  template <class E, class F>
-  static constexpr void for_portions(const E& executor, std::size_t count, const F& f) {
+  template <class F>
+  static constexpr void for_portions(const executor_ref& executor, std::size_t count, const F& f) {
     constexpr std::size_t portion = 1024;
     executor((count + portion - 1) / portion, [&](std::size_t k) { f(k * portion, lesser((k + 1) * portion, count)); });
   }

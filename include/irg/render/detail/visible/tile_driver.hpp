@@ -303,9 +303,9 @@ template <class Order>
 using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ? tile_test::always : tile_test::nearer>;
 
 // All tiles. What is seen is the method's affair, what becomes of it finish's.
-template <class T, class Method, class Depth, class E>
+template <class T, class Method, class Depth>
 constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job,
-                                  const tile_finish<T>& finish, const E& executor) {
+                                  const tile_finish<T>& finish, const executor_ref& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
   triangle_bins& bins = job.lists.bins;
   bin_triangles(bins, job.batches, {job.mapping, grid, job.culling, job.skip}, executor);
