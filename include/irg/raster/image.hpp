@@ -165,4 +165,16 @@ struct raster_traits<image_view<P>> {
 template <class P>
 struct raster_traits<const image_view<P>> : raster_traits<image_view<P>> {};
 
+inline namespace IRG_ABI {
+
+/// The pixels of a raster whose rows are all the same distance apart, as a view: what draws into views is compiled once
+/// for all such rasters.
+/// needs   a distance that is a multiple of the pixel's alignment
+template <EvenRowRaster R>
+[[nodiscard]] IRG_INLINE constexpr image_view<pixel_of<R>> view_of(R& r) {
+  if (height_of(r) == 0) return {nullptr, width_of(r), 0};
+  return {raster_traits<R>::row(r, 0), width_of(r), height_of(r), bytes_per_row_of(r)};
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg

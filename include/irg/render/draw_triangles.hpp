@@ -102,10 +102,12 @@ constexpr render_stats draw_batches(render_target<Colour, Depth> target, const p
                                     const MakeShader& make_shader, const draw_settings<pixel_of<Colour>>& settings,
                                     const E& executor) {
   draw_workspace own;
-  return detail::draw_tiles<T>(
-      detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
-      detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
-      as_executor(executor));
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, depth, detail::job_of(triangles, settings, own),
+                               detail::colour_tiles<T, std::remove_reference_t<decltype(colour)>, MakeShader>(
+                                   colour, make_shader, settings.clear, settings.background),
+                               as_executor(executor));
 }
 
 }  // namespace irg::inline IRG_ABI

@@ -367,12 +367,13 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
   for ([[maybe_unused]] const object<T>& o : world.objects)
     IRG_EXPECTS(validate_faces(o.shape).defect == mesh_defect::none);
   if (width == 0 || height == 0) return {};
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
   std::vector<prepared_object<T>> made = detail::extents_of<T>(world.objects);
   detail::drawing_lists lists;
-  return detail::draw_picture<T>({world, width, height, options}, {made, world.objects},
-                                 detail::all_numbers(made.size()), lists,
-                                 detail::picture_run{target.colour, target.depth, as_executor(executor),
-                                                     as_function<void(render_stage)>(observer)});
+  return detail::draw_picture<T>(
+      {world, width, height, options}, {made, world.objects}, detail::all_numbers(made.size()), lists,
+      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
 }
 
 template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E>
@@ -397,11 +398,12 @@ constexpr render_stats render(const Method& method, const scene<T>& world, rende
   if (fronts)
     for (std::size_t i = 0; i < seen.batches.size(); ++i)
       if (is_convex_body(world.objects[seen.chosen.drawn[i]].shape)) bodies.note(seen.batches[i]);
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
   image<std::uint32_t> ids(width, height, no_face);
   detail::drawing_lists lists;
   return detail::draw_objects(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
-                              frame, seen, lists,
-                              detail::picture_run{target.colour, target.depth, executor_of_all, nobody});
+                              frame, seen, lists, detail::picture_run{colour, depth, executor_of_all, nobody});
 }
 
 template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
@@ -410,10 +412,12 @@ constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, De
                               const render_options& options, const E& executor, Observer&& observer) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
-  return detail::draw_picture<T>({world, width, height, options}, {world.objects},
-                                 detail::all_numbers(world.objects.size()), detail::lists_of(world.workspace),
-                                 detail::picture_run{target.colour, target.depth, as_executor(executor),
-                                                     as_function<void(render_stage)>(observer)});
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  return detail::draw_picture<T>(
+      {world, width, height, options}, {world.objects}, detail::all_numbers(world.objects.size()),
+      detail::lists_of(world.workspace),
+      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
 }
 
 }  // namespace irg::inline IRG_ABI

@@ -187,10 +187,12 @@ constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour,
     else
       candidates.push_back(i);
   const no_observer observer;
-  render_stats stats = detail::draw_picture<T>({building.world, width, height, options}, {building.world.objects},
-                                               candidates, detail::lists_of(building.world.workspace),
-                                               detail::picture_run{target.colour, target.depth, as_executor(executor),
-                                                                   as_function<void(render_stage)>(observer)});
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  render_stats stats = detail::draw_picture<T>(
+      {building.world, width, height, options}, {building.world.objects}, candidates,
+      detail::lists_of(building.world.workspace),
+      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
   stats.triangles += skipped;
   stats.skipped.rooms += skipped;
   return stats;

@@ -129,6 +129,20 @@ std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers,
 
 }  // namespace IRG_ABI
 
+template <class R>
+inline constexpr bool has_window = false;
+template <class R>
+inline constexpr bool has_window<raster_within<R>> = true;
+
+// A raster as its rows allow: a view where they stand evenly, else itself, as one that is drawn to in part only.
+template <RowRaster R>
+IRG_INLINE constexpr decltype(auto) rows_of(R& r) {
+  if constexpr (EvenRowRaster<R> && !has_window<std::remove_const_t<R>>)
+    return view_of(r);
+  else
+    return (r);
+}
+
 // What is drawn, and how, whatever becomes of it.
 template <class T>
 struct IRG_APART tile_job {
