@@ -282,7 +282,7 @@ struct glass_pixels {
   constexpr auto operator()(const triangle_batch<T>& batch, std::uint32_t triangle, facing side) const noexcept {
     const studio_object<T>& o = objects[batch.object];
     const bool unseen = side == facing::back && o.culling == face_culling::back;
-    const auto& frame = o.shading.made.frame;
+    const auto& frame = kept_of(o.shading.made);
     const auto& body = o.shading.made.body;
     rgb<float> at[3] = {};
     if (o.how == studio_shading::none || o.how == studio_shading::flat) {
@@ -368,15 +368,15 @@ struct studio_drawing {
     objects.back().shading.prepare(flat    ? picture_style::flat
                                    : phong ? picture_style::phong
                                            : picture_style::gouraud,
-                                   culling, sequential{});
-    project_vertices<T>(part.frame.vertices, part.body.positions, to_clip, mapping);
+                                   culling, as_executor(sequential{}));
+    project_vertices<T>(kept_of(part).vertices, part.body.positions, to_clip, mapping);
   }
 
   constexpr void opaque() {
     for (const studio_object<T>& o : objects) {
       if (o.opacity != 255) continue;
       const prepared_object<T>& made = o.shading.made;
-      const triangle_batch<T> batch[1] = {{&made.frame.vertices, made.body.triangles, 0, 0}};
+      const triangle_batch<T> batch[1] = {{&kept_of(made).vertices, made.body.triangles, 0, 0}};
       const std::span<const object_shading<T>> one(&o.shading, 1);
       const auto draw = [&](const auto& pixels) {
         draw_batches(render_target{picture, memory.depth}, projected_triangles<T>{batch, mapping}, pixels,
@@ -397,7 +397,7 @@ struct studio_drawing {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (objects[i].opacity == 255 || objects[i].opacity == 0) continue;
       const prepared_object<T>& made = objects[i].shading.made;
-      batches.push_back({&made.frame.vertices, made.body.triangles, number, static_cast<std::uint32_t>(i)});
+      batches.push_back({&kept_of(made).vertices, made.body.triangles, number, static_cast<std::uint32_t>(i)});
       number += static_cast<std::uint32_t>(made.body.triangles.size());
     }
     if (!batches.empty())

@@ -76,6 +76,26 @@ TEST_CASE("image_view: strides of either sign") {
   CHECK_BOTH(writes_through_const_view());
 }
 
+constexpr bool view_writes_through() {
+  irg::image<int> picture(3, 2, 7);
+  auto all = irg::view_of(picture);
+  all(2, 1) = 5;
+  auto again = irg::view_of(all);
+  again(0, 0) = 4;
+  return number_of(picture) == 477775 && all.stride() == picture.bytes_per_row();
+}
+
+TEST_CASE("view_of: the rows of a raster, whatever its type and sense; none of an empty one") {
+  CHECK_BOTH(view_writes_through());
+  int pixels[] = {1, 2, 3, -1, 4, 5, 6, -1};
+  const view down(pixels, 3, 2, 4 * sizeof(int)), up(pixels + 4, 3, 2, -4 * static_cast<int>(sizeof(int)));
+  CHECK(number_of(irg::view_of(down)) == 123456);
+  CHECK(number_of(irg::view_of(up)) == 456123);
+  irg::image<int> flat(5, 0);
+  CHECK(irg::view_of(flat).width() == 5);
+  CHECK(irg::view_of(flat).height() == 0);
+}
+
 TEST_CASE("image_view: rows padded to a multiple that is no multiple of the pixel") {
   // Three-byte pixels in rows of eight bytes, as bitmaps with 4-byte alignment have them.
   std::uint8_t bytes[16];

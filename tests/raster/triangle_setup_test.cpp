@@ -160,4 +160,71 @@ TEST_CASE("fits_32_bits: 32 bits are taken just as long as every pixel of the wi
   CHECK_BOTH(!fits(limit + 1, 0, 0, w, 8));
 }
 
+TEST_CASE("edge_lanes: the edges, rests and scales of set_up_triangle, lane by lane, ends of the range included") {
+  constexpr int count = irg::native_lanes<std::int32_t>;
+  using integers = irg::pack<std::int32_t, count>;
+  test::random random(64);
+  for (int i = 0; i < test::trials(3000); ++i) {
+    integers x[3], y[3], column, row;
+    const std::int32_t sides = (1 << random.integer(1, 15)) - 1;
+    for (int l = 0; l < count; ++l) {
+      const auto at = [&](std::int32_t from) {
+        return from + static_cast<std::int32_t>(random.integer(0, 3) == 0 ? sides * random.integer(0, 1)
+                                                                          : random.integer(0, sides));
+      };
+      const auto left = static_cast<std::int32_t>(random.integer(-100000, 100000)),
+                 top = static_cast<std::int32_t>(random.integer(-100000, 100000));
+      for (int k = 0; k < 3; ++k) {
+        irg::set_lane(x[k], l, at(left));
+        irg::set_lane(y[k], l, at(top));
+      }
+      irg::set_lane(column, l, irg::first_centre(at(left) - 127));
+      irg::set_lane(row, l, irg::first_centre(at(top) - 127));
+    }
+    const irg::triangle_boxes<count> boxes(x, y);
+    const irg::edge_lanes<count> edges(x, y, boxes.double_area);
+    for (int l = 0; l < count; ++l) {
+      REQUIRE(boxes.narrow[l] == -1);
+      const irg::screen_vertex v[3] = {{{x[0][l], y[0][l]}}, {{x[1][l], y[1][l]}}, {{x[2][l], y[2][l]}}};
+      const irg::covered_triangle t = irg::cover_and_set_up(v[0], v[1], v[2]);
+      REQUIRE(boxes.double_area[l] == irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+      if (t.coverage.double_area == 0) continue;
+      REQUIRE((edges.flip[l] != 0) == t.coverage.flipped);
+      REQUIRE(edges.scale[l] == t.setup.scale);
+      for (int k = 0; k < 3; ++k) {
+        const auto [f, rest] = edges(k, column, row);
+        REQUIRE(edges.dx[k][l] == t.setup.edge[k].down);
+        REQUIRE(edges.dy[k][l] == -t.setup.edge[k].right);
+        REQUIRE(f[l] == t.setup.edge[k](column[l], row[l]));
+        REQUIRE(rest[l] == t.setup.rest[k]);
+      }
+    }
+  }
+}
+
+TEST_CASE("triangle_boxes: sides of 2^15 and more are not narrow") {
+  constexpr int count = irg::native_lanes<std::int32_t>;
+  using J = irg::lanes<irg::pack<std::int32_t, count>>;
+  const auto none = J::broadcast(0);
+  for (const int size : {0, 1, (1 << 15) - 1, 1 << 15, 1 << 20}) {
+    const auto far_side = J::broadcast(size);
+    const irg::triangle_boxes<count> wide({none, far_side, none}, {none, none, none}),
+        high({none, none, none}, {none, none, far_side});
+    CHECK((wide.narrow[0] != 0) == (size < 1 << 15));
+    CHECK((high.narrow[0] != 0) == (size < 1 << 15));
+    CHECK(wide.right[0] - wide.left[0] == size);
+    CHECK(high.bottom[0] - high.top[0] == size);
+  }
+}
+
+TEST_CASE("owns_its_points: left and top edges of triangles that are on their right") {
+  CHECK_BOTH(irg::owns_its_points(0, -1));
+  CHECK_BOTH(irg::owns_its_points(5, -1));
+  CHECK_BOTH(irg::owns_its_points(1, 0));
+  CHECK_BOTH(!irg::owns_its_points(0, 0));
+  CHECK_BOTH(!irg::owns_its_points(-1, 0));
+  CHECK_BOTH(!irg::owns_its_points(0, 1));
+  CHECK_BOTH(!irg::owns_its_points(7, 1));
+}
+
 }  // namespace

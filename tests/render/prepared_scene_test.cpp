@@ -90,12 +90,12 @@ TEST_CASE("prepared_scene: colours stay as long as light and eye do") {
   world.view.eye = {2, 3, 5};
   auto ready = irg::prepare_scene(world);
   test::render(ready, 32, 32);
-  ready.objects[0].frame.vertex_colours[0][0] = {9, 9, 9};  // seen to survive
+  irg::detail::kept_of(ready.objects[0]).vertex_colours[0][0] = {9, 9, 9};  // seen to survive
   test::render(ready, 64, 32);
-  CHECK(ready.objects[0].frame.vertex_colours[0][0][0] == 9);
+  CHECK(irg::detail::kept_of(ready.objects[0]).vertex_colours[0][0][0] == 9);
   ready.view.eye.x = 2.5;
   test::render(ready, 64, 32);
-  CHECK(ready.objects[0].frame.vertex_colours[0][0][0] < 9);
+  CHECK(irg::detail::kept_of(ready.objects[0]).vertex_colours[0][0][0] < 9);
 }
 
 // Memory that gives out does the same.

@@ -143,4 +143,16 @@ private:
   std::vector<P, detail::line_allocator<P>> pixels_;
 };
 
+inline namespace IRG_ABI {
+
+/// The pixels of a raster whose rows are all the same distance apart, as a view: what draws into views is compiled once
+/// for all such rasters.
+/// needs   a distance that is a multiple of the pixel's alignment
+template <EvenRowRaster R>
+[[nodiscard]] IRG_INLINE constexpr image_view<pixel_of<R>> view_of(R& r) {
+  if (height_of(r) == 0) return {nullptr, width_of(r), 0};
+  return {raster_traits<R>::row(r, 0), width_of(r), height_of(r), bytes_per_row_of(r)};
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg

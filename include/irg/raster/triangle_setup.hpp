@@ -82,6 +82,63 @@ template <class F, class J>
   return s;
 }
 
+/// The boxes of N triangles on the screen, and twice their areas, a lane each.
+template <int N>
+struct triangle_boxes {
+  using integers = pack<std::int32_t, N>;
+  integers left, right, top, bottom;
+  integers narrow;  // sides below 2^15, which leave the area within 31 bits and a sign; where not, it has no meaning
+  integers double_area;
+
+  IRG_INLINE triangle_boxes(const integers (&x)[3], const integers (&y)[3]) noexcept
+      : left(low_of(low_of(x[0], x[1]), x[2])), right(high_of(high_of(x[0], x[1]), x[2])),
+        top(low_of(low_of(y[0], y[1]), y[2])), bottom(high_of(high_of(y[0], y[1]), y[2])),
+        narrow(both(right - left < (1 << 15), bottom - top < (1 << 15))),
+        double_area((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) {}
+};
+
+/// The edges of N triangles, a lane each, in the order of their vertices, whichever way round they are given. It refers
+/// to the coordinates that it is made of.
+/// needs   narrow triangles with an area; what lanes of others hold has no meaning
+/// exact   the bits of set_up_triangle, one by one
+template <int N>
+struct edge_lanes {
+  using integers = pack<std::int32_t, N>;
+  using floats = pack<float, N>;
+  const integers (&x)[3], (&y)[3];  // of the vertices
+  integers flip;  // a mask: which triangles run counter-clockwise on the screen
+  integers dx[3], dy[3];  // edge k is opposite to vertex k, and runs by (dx, dy) with its inner side on the right
+  floats scale, unit;  // 256 / double_area, 1 / double_area
+
+  IRG_INLINE edge_lanes(const integers (&of_x)[3], const integers (&of_y)[3], const integers& double_area) noexcept
+      : x(of_x), y(of_y), flip(double_area < 0) {
+    const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
+    scale = lanes<floats>::broadcast(one_pixel) / to_float(turned(double_area));
+    unit = scale * lanes<floats>::broadcast(1.0f / one_pixel);
+    for (int k = 0; k < 3; ++k) {
+      const int p = (k + 1) % 3, q = (k + 2) % 3;
+      dx[k] = turned(x[q] - x[p]);
+      dy[k] = turned(y[q] - y[p]);
+    }
+  }
+
+  /// An edge function at a pixel, and what it leaves of the exact one, as a weight.
+  struct value {
+    integers f;
+    floats rest;
+  };
+  /// Edge k at the pixels (column, row).
+  /// needs   pixels less than 2^15 from the triangle's corners, in 1/256 pixel; at others F has no meaning
+  IRG_INLINE value operator()(int k, const integers& column, const integers& row) const noexcept {
+    using J = lanes<integers>;
+    const int p = (k + 1) % 3;
+    const integers pixel = J::broadcast(one_pixel), half = J::broadcast(half_pixel);
+    const integers e = dx[k] * (row * pixel + half - y[p]) - dy[k] * (column * pixel + half - x[p]);
+    const integers f = ((e - J::broadcast(1)) - owns_its_points(dx[k], dy[k])) >> subpixel_bits;
+    return {f, to_float(e - f * pixel) * unit};
+  }
+};
+
 /// The perspective-correct weights of a pixel from its barycentric ones.
 /// exact   within 4e-7
 /// source  Heckbert and Moreton 1991

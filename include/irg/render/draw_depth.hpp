@@ -44,8 +44,9 @@ constexpr render_stats draw_depth(Depth& depth, const projected_triangles<T>& tr
                                   const depth_settings& settings = {}, const E& executor = {}) {
   constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
   draw_workspace own;
-  return detail::draw_tiles<T>(detail::zbuffer_tiles<Order, test>{}, depth, detail::job_of(triangles, settings, own),
-                               detail::depths_alone<T>{}, executor);
+  auto&& rows = detail::rows_of(depth);
+  return detail::draw_tiles<T>(detail::zbuffer_tiles<Order, test>{}, rows, detail::job_of(triangles, settings, own),
+                               detail::depths_alone<T>{}, as_executor(executor));
 }
 
 }  // namespace IRG_ABI

@@ -233,7 +233,8 @@ constexpr render_stats draw_transparent(render_target<Colour, Depth> target, con
   const detail::picture_tiles grid(width_of(target.colour), height_of(target.colour));
   const std::span<const triangle_batch<T>> batches = triangles.batches();
   detail::triangle_bins bins;
-  detail::bin_triangles(bins, batches, {triangles.mapping(), grid, settings.culling, settings.skip}, executor);
+  detail::bin_triangles(bins, batches, {triangles.mapping(), grid, settings.culling, settings.skip},
+                        as_executor(executor));
   const detail::triangle_finder<T> find{batches, &bins};
   const std::vector<std::uint32_t> numbers =
       detail::sorted_lists<T>(bins, find, detail::back_to_front<Order, T>(batches, bins.triangle_count), grid.count());

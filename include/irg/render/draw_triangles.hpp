@@ -73,9 +73,11 @@ public:
 
   constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const override {
     if (!std::is_constant_evaluated()) {
-      if constexpr (AttributeShading<MakeShader, triangle_batch<T>> && !is_dear<MakeShader>)
-        return attribute_kernel<T, MakeShader, Colour>{
-            v.place, {find, v.numbers, v.window, make_shader_}, colour_, background_}();
+      if constexpr (AttributeShading<MakeShader, triangle_batch<T>> && !is_dear<MakeShader>) {
+        attribute_pass<T, MakeShader, Colour> pass{
+            v.place, {find, v.numbers, v.window, make_shader_}, colour_, background_};
+        return shade_by_attributes(pass);
+      }
       if (background_ != nullptr) clear(v.window);
       return shade_by_triangle<T, MakeShader>{v, find, make_shader_}.template in_lanes<pack<float, tile_lanes>>(
           colour_);
@@ -100,10 +102,12 @@ constexpr render_stats draw_batches(render_target<Colour, Depth> target, const p
                                     const MakeShader& make_shader, const draw_settings<pixel_of<Colour>>& settings,
                                     const E& executor) {
   draw_workspace own;
-  return detail::draw_tiles<T>(
-      detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
-      detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
-      executor);
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, depth, detail::job_of(triangles, settings, own),
+                               detail::colour_tiles<T, std::remove_reference_t<decltype(colour)>, MakeShader>(
+                                   colour, make_shader, settings.clear, settings.background),
+                               as_executor(executor));
 }
 
 }  // namespace irg::inline IRG_ABI

@@ -53,7 +53,7 @@ struct occluder_depths {
   image<float> pixels;  // meaningless in a tile that is not touched, as are its farthest keys
   std::vector<farthest_keys> farthest;  // by tile
   std::vector<std::uint8_t> touched;  // by tile
-  draw_workspace workspace;
+  drawing_lists lists;
 
   IRG_INLINE constexpr std::size_t tile_of(int x, int y) const noexcept {
     return static_cast<std::size_t>(y / tile_size * grid.across + x / tile_size);
@@ -105,16 +105,16 @@ struct keep_farthest final : tile_finish<T> {
   }
 };
 
-template <class Order, class T, class E>
+template <class Order, class T>
 constexpr void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
-                              const screen_mapping<T>& mapping, face_culling culling, const E& executor) {
-  triangle_bins& bins = m.workspace.bins;
+                              const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor) {
+  triangle_bins& bins = m.lists.bins;
   bin_triangles(bins, batches, {mapping, m.grid, culling}, executor);
-  m.workspace.seen.assign(bins.triangle_count, 0);
+  m.lists.seen.assign(bins.triangle_count, 0);
   executor(m.grid.count(), [&](std::size_t i) {
     if (bins.list_of(i).empty()) return;
     const clearing clear = m.touched[i] == 0 ? clearing::before_drawing : clearing::none;
-    const tile_job<T> job{batches, mapping, m.workspace, culling, skip_options{}, clear};
+    const tile_job<T> job{batches, mapping, m.lists, culling, skip_options{}, clear};
     zbuffer_tiles<Order, tile_test::depth_only>{}(m.pixels, job, i, keep_farthest<T>(m.farthest[i]));
     m.touched[i] = 1;
   });
@@ -217,8 +217,8 @@ public:
   IRG_INLINE constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches,
                                             const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
                                             const E& executor = {}) {
-    detail::draw_occluders<Order>(memory_, batches, mapping, culling, executor);
-    const detail::triangle_bins& bins = memory_.workspace.bins;
+    detail::draw_occluders<Order>(memory_, batches, mapping, culling, as_executor(executor));
+    const detail::triangle_bins& bins = memory_.lists.bins;
     return {static_cast<std::int64_t>(bins.triangle_count), bins.skipped, bins.listed};
   }
   /// Draws the triangles of one occluder.

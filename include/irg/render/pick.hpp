@@ -41,13 +41,13 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, cell siz
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
     prepared_object<T>& o = world.objects[i];
-    project_vertices<T>(o.frame.vertices, o.body.positions, to_clip, mapping);
-    batches.push_back({&o.frame.vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
+    project_vertices<T>(detail::kept_of(o).vertices, o.body.positions, to_clip, mapping);
+    batches.push_back({&detail::kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }
   const detail::picture_tiles grid(size.x, size.y);
-  detail::triangle_bins& bins = world.workspace.bins;
-  detail::bin_triangles<T>(bins, batches, {mapping, grid, culling}, sequential{});
+  detail::triangle_bins& bins = detail::lists_of(world.workspace).bins;
+  detail::bin_triangles<T>(bins, batches, {mapping, grid, culling}, as_executor(sequential{}));
   const std::size_t tile =
       static_cast<std::size_t>(pixel.y / detail::tile_size) * static_cast<std::size_t>(grid.across) +
       static_cast<std::size_t>(pixel.x / detail::tile_size);

@@ -40,8 +40,16 @@ struct object_frame {
   std::vector<std::array<float, 3>> vertex_colours[2];  // of the fronts, and if need be of the backs
   projected_vertices<T> vertices;
 };
+struct open_object;
 
 }  // namespace detail
+
+/// What the last picture made of an object, kept for the next one.
+template <Floating T>
+class kept_frame {
+  friend struct detail::open_object;
+  detail::object_frame<T> frame_;
+};
 
 /// An object made ready for pictures. Only its surface may be changed; another shape or place is prepared anew.
 template <Floating T>
@@ -50,8 +58,24 @@ struct prepared_object {
   drawable<T> body;  // their triangles
   object_extent<T> extent;
   material<T> surface;
-  detail::object_frame<T> frame;  // belongs to render()
+  kept_frame<T> frame;  // belongs to render()
 };
+
+namespace detail {
+
+struct open_object {
+  template <class T>
+  IRG_INLINE constexpr object_frame<T>& operator()(kept_frame<T>& kept) const noexcept {
+    return kept.frame_;
+  }
+  template <class T>
+  IRG_INLINE constexpr const object_frame<T>& operator()(const kept_frame<T>& kept) const noexcept {
+    return kept.frame_;
+  }
+};
+IRG_INLINE constexpr auto& kept_of(auto& object) noexcept { return open_object{}(object.frame); }
+
+}  // namespace detail
 
 /// A scene made ready for pictures. Whatever it has may be changed between two pictures; objects are added and replaced
 /// as prepare_object makes them.
@@ -77,14 +101,31 @@ template <Floating T>
   return e;
 }
 
+}  // namespace IRG_ABI
+
+namespace detail::inline IRG_ABI {
+
+// All of an object but its extent.
+template <class T>
+constexpr void prepare_rest(prepared_object<T>& to, const object<T>& from) {
+  to.shape = transform_mesh(from.shape, from.placement);
+  to.body = make_drawable(to.shape);
+  to.surface = from.surface;
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
 /// An object made ready: moved into the world, cut into triangles, with normals where it had none.
 /// needs   a mesh whose faces have no defect that validate (mesh/validate.hpp) knows
 /// cost    linear, and ear clipping for faces of more than three corners; allocates the result
 template <Floating T>
 [[nodiscard]] constexpr prepared_object<T> prepare_object(const object<T>& o) {
-  mesh<T> shape = transform_mesh(o.shape, o.placement);
-  drawable<T> body = make_drawable(shape);
-  return {std::move(shape), std::move(body), extent_of(o), o.surface, {}};
+  prepared_object<T> made;
+  made.extent = extent_of(o);
+  detail::prepare_rest(made, o);
+  return made;
 }
 
 /// A scene made ready, all of its objects prepared.

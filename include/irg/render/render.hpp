@@ -72,84 +72,148 @@ constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, De
 
 namespace irg::detail {
 
-// Which objects of a scene have to be drawn: neither beyond the frustum nor hidden whole by others. Decided by their
-// boxes, before anything is made of them.
+// A picture is made in stages, each a function of what the one before left:
+//   scene      the objects, as they were modelled
+//   prepared   those that are not seen to be hidden, in the world, as triangles  (prepared_object, select_objects)
+//   projected  their colours or what these come from, and vertices on the screen (project_objects)
+//   bins       for each tile the triangles that it may show                      (bin_triangles)
+//   ids        for each pixel of a tile the triangle that is seen there          (zbuffer_tiles, method_tiles)
+//   colours    the pixels of the tile                                            (colour_tiles)
 
-// The objects of a scene, prepared when they are asked for: those that are not seen never are.
+// The objects of a picture. Where they have a source, only their extents are there at first: an object is prepared when
+// it is asked for, and those that are not seen never are.
 template <class T>
-struct IRG_APART objects_to_prepare {
-  std::span<const object<T>> source;
-  std::vector<object_extent<T>> extents;
-  std::vector<prepared_object<T>> made;
-  std::vector<std::uint8_t> is_made;
-
-  constexpr explicit objects_to_prepare(std::span<const object<T>> objects)
-      : source(objects), is_made(objects.size(), 0) {
-    extents.reserve(source.size());
-    made.reserve(source.size());
-    for (const object<T>& o : source) {
-      extents.push_back(extent_of(o));
-      made.emplace_back();  // filling the vector would compile the copying of all that an object has
-    }
-  }
-  constexpr std::size_t size() const noexcept { return source.size(); }
-  constexpr const object_extent<T>& extent(std::size_t i) const noexcept { return extents[i]; }
-  constexpr mesh<T> shape(std::size_t i) const { return transform_mesh(source[i].shape, source[i].placement); }
-  constexpr prepared_object<T>& operator[](std::size_t i) {
-    if (is_made[i] == 0) made[i] = prepare_object(source[i]);
-    is_made[i] = 1;
-    return made[i];
-  }
-};
-
-// The objects of a scene that are prepared already.
-template <class T>
-struct IRG_APART prepared_objects {
+struct picture_objects {
   std::span<prepared_object<T>> made;
-
-  constexpr std::size_t size() const noexcept { return made.size(); }
-  constexpr const object_extent<T>& extent(std::size_t i) const noexcept { return made[i].extent; }
-  constexpr const mesh<T>& shape(std::size_t i) const noexcept { return made[i].shape; }
-  constexpr prepared_object<T>& operator[](std::size_t i) const noexcept { return made[i]; }
+  std::span<const object<T>> source{};
 };
 
-// What is to be drawn, and how many triangles need not be.
+// Which objects are to be drawn, and how many triangles need not be.
 struct object_selection {
   std::vector<std::uint32_t> drawn;  // numbers of objects
   std::int64_t beyond = 0, occluded = 0;
 };
 
+// Objects on the screen, numbered through.
+template <class T>
+struct projected_objects {
+  object_selection chosen;
+  std::vector<object_shading<T>> shadings;  // of the drawn ones
+  std::vector<triangle_batch<T>> batches;
+};
+
+// Where a picture goes, and who takes part.
+template <class Colour, class Depth>
+struct picture_run {
+  Colour& colour;
+  Depth& depth;
+  const executor_ref& executor;
+  const function_ref<void(render_stage)>& observer;
+};
+template <class Colour, class Depth>
+picture_run(Colour&, Depth&, const executor_ref&, const function_ref<void(render_stage)>&)
+    -> picture_run<Colour, Depth>;
+
 inline namespace IRG_ABI {
 
-template <class T, class Objects>
-IRG_NOINLINE constexpr object_selection select_objects(Objects& objects, const mat<T, 4, 4>& to_clip, int width,
-                                                       int height, const render_options& options) {
+// A picture of one scene, before anything of its objects is known.
+template <class T>
+struct picture_frame {
+  const camera<T>& view;
+  lighting<T> light;
+  const render_options& options;
+  int width, height;
+  screen_mapping<T> mapping;
+  mat<T, 4, 4> to_clip;
+
+  constexpr picture_frame(const auto& world, int w, int h, const render_options& how)
+      : view(world.view), light{world.ambient, world.lights, world.distance, world.k}, options(how), width(w),
+        height(h), mapping(map_to_screen<T>(w, h)),
+        to_clip(view_projection(view, static_cast<T>(w) / static_cast<T>(h))) {}
+};
+
+// From the scene to prepared objects.
+
+// The objects of a scene, of which nothing is prepared but the extents.
+template <class T>
+constexpr std::vector<prepared_object<T>> extents_of(std::span<const object<T>> objects) {
+  std::vector<prepared_object<T>> made;
+  made.reserve(objects.size());
+  for (const object<T>& o : objects) made.emplace_back().extent = extent_of(o);
+  return made;
+}
+
+// Object i, prepared. One without positions has nothing to prepare.
+template <class T>
+constexpr prepared_object<T>& prepared(const picture_objects<T>& objects, std::size_t i) {
+  prepared_object<T>& o = objects.made[i];
+  if (!objects.source.empty() && o.shape.positions.empty()) prepare_rest(o, objects.source[i]);
+  return o;
+}
+
+// Which of the candidates have to be drawn: neither beyond the frustum nor hidden whole by others. Decided by their
+// boxes, before anything is made of them.
+template <class T>
+IRG_NOINLINE constexpr object_selection select_objects(const picture_frame<T>& f, const picture_objects<T>& objects,
+                                                       std::span<const std::uint32_t> candidates) {
+  const render_options& options = f.options;
   object_selection result;
   std::vector<object_extent<T>> extents;
-  extents.reserve(objects.size());
-  result.drawn.reserve(objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) extents.push_back(objects.extent(i));
-  occlusion_culling<T> boxes(to_clip, width, height);
+  extents.reserve(candidates.size());
+  result.drawn.reserve(candidates.size());
+  for (const std::uint32_t k : candidates) extents.push_back(objects.made[k].extent);
+  occlusion_culling<T> boxes(f.to_clip, f.width, f.height);
   if (options.hidden != hidden_surface_method::none && options.skip.occluded == skipping::on)
     for (const std::uint32_t i : boxes.choose_occluders(extents)) {
-      const drawable<T>& body = objects[i].body;
+      const drawable<T>& body = prepared(objects, candidates[i]).body;
       boxes.add_occluder(body.positions, body.triangles, options.culling);
     }
-  for (std::uint32_t i = 0; i < extents.size(); ++i) {
+  for (std::size_t i = 0; i < extents.size(); ++i) {
     const auto triangles = static_cast<std::int64_t>(extents[i].triangles);
     if (options.skip.frustum == skipping::on && boxes.is_beyond(extents[i].bounds))
       result.beyond += triangles;
     else if (boxes.hides(extents[i].bounds))
       result.occluded += triangles;
     else
-      result.drawn.push_back(i);
+      result.drawn.push_back(candidates[i]);
   }
   return result;
 }
 
-}  // namespace IRG_ABI
+constexpr std::vector<std::uint32_t> all_numbers(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count, 0);
+  for (std::size_t i = 0; i < count; ++i) numbers[i] = static_cast<std::uint32_t>(i);
+  return numbers;
+}
 
-// The objects of a picture, drawn in its style: light encoded at once, or kept until the brightest of it is known.
+// From prepared objects to the screen.
+
+// Those candidates that are to be drawn: prepared, shaded as the style needs it before there are pixels, projected.
+template <class T>
+constexpr projected_objects<T> project_objects(const picture_frame<T>& f, const picture_objects<T>& objects,
+                                               std::span<const std::uint32_t> candidates, const executor_ref& executor,
+                                               const function_ref<void(render_stage)>& observer) {
+  const point<T, 3> eye = viewpoint(f.view);
+  projected_objects<T> to{select_objects(f, objects, candidates), {}, {}};
+  to.shadings.reserve(to.chosen.drawn.size());
+  to.batches.reserve(to.chosen.drawn.size());
+  std::uint32_t number = 0;
+  for (const std::uint32_t k : to.chosen.drawn) {
+    prepared_object<T>& o = prepared(objects, k);
+    observer(render_stage::prepare);
+    to.shadings.emplace_back(o, f.light, eye).prepare(f.options.style, f.options.culling, executor);
+    observer(render_stage::shade);
+    project_vertices<T>(kept_of(o).vertices, o.body.positions, f.to_clip, f.mapping, executor);
+    to.batches.push_back(
+        {&kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(to.batches.size())});
+    number += static_cast<std::uint32_t>(o.body.triangles.size());
+    observer(render_stage::project);
+  }
+  return to;
+}
+
+// From the screen to the picture, in the style that the options name: light encoded at once, or kept until the
+// brightest of it is known.
 
 // A picture, its depths, and what it shows where there is nothing.
 template <class Colour, class Depth>
@@ -161,8 +225,6 @@ struct picture_target {
 template <class Colour, class Depth>
 picture_target(Colour&, Depth&, pixel_of<Colour>) -> picture_target<Colour, Depth>;
 
-inline namespace IRG_ABI {
-
 // What drawing needs to know of the objects, whatever it draws into.
 template <class T>
 struct styled_objects {
@@ -170,20 +232,19 @@ struct styled_objects {
   std::span<const triangle_batch<T>> batches;
   const screen_mapping<T>& mapping;
   const render_options& options;
-  draw_workspace& workspace;
+  drawing_lists& lists;
 };
 
 // Clears the picture and draws the objects, Output deciding what becomes of light.
-template <class Output, class Method, class T, class Target, class E>
+template <class Output, class Method, class T, class Target>
 constexpr render_stats draw_styled(const Method& method, const styled_objects<T>& s, const Target& to,
-                                   const E& executor) {
+                                   const executor_ref& executor) {
   const auto draw = [&]<class Shading>(const Shading& shading) {
-    return draw_tiles<T>(
-        method, to.depth,
-        {s.batches, s.mapping, s.workspace, s.options.culling, s.options.skip, clearing::before_drawing},
-        colour_tiles<T, std::remove_reference_t<decltype(to.colour)>, Shading>(to.colour, shading,
-                                                                               clearing::before_drawing, to.background),
-        executor);
+    return draw_tiles<T>(method, to.depth,
+                         {s.batches, s.mapping, s.lists, s.options.culling, s.options.skip, clearing::before_drawing},
+                         colour_tiles<T, std::remove_reference_t<decltype(to.colour)>, Shading>(
+                             to.colour, shading, clearing::before_drawing, to.background),
+                         executor);
   };
   if (s.options.style == picture_style::flat) return draw(flat_pixels<Output, T>{s.objects});
   if (s.options.style == picture_style::gouraud) return draw(gouraud_pixels<Output, T>{s.objects});
@@ -191,9 +252,9 @@ constexpr render_stats draw_styled(const Method& method, const styled_objects<T>
 }
 
 // As draw_styled; if some pixel is brighter than 1, all light of the picture is divided by the brightest channel's.
-template <class Method, class T, class Target, class E>
+template <class Method, class T, class Target>
 constexpr render_stats draw_rescaled(const Method& method, const styled_objects<T>& s, const Target& to,
-                                     const E& executor) {
+                                     const executor_ref& executor) {
   constexpr int rows = 64;
   const int width = width_of(to.colour), height = height_of(to.colour);
   image<rgb<float>> light(width, height);
@@ -220,40 +281,6 @@ constexpr render_stats draw_rescaled(const Method& method, const styled_objects<
   return stats;
 }
 
-template <class R>
-constexpr std::int64_t count_other_than(const R& raster, const pixel_of<R>& background) {
-  std::int64_t count = 0;
-  for (int y = 0; y < height_of(raster); ++y)
-    for (int x = 0; x < width_of(raster); ++x) count += get_pixel(raster, x, y) == background ? 0 : 1;
-  return count;
-}
-
-// Where a picture goes, and who takes part.
-template <class Colour, class Depth, class E, class Observer>
-struct picture_run {
-  Colour& colour;
-  Depth& depth;
-  const E& executor;
-  Observer& observer;
-};
-template <class Colour, class Depth, class E, class Observer>
-picture_run(Colour&, Depth&, const E&, Observer&) -> picture_run<Colour, Depth, E, Observer>;
-
-// A picture of one scene, before anything of its objects is known.
-template <class T>
-struct picture_frame {
-  const camera<T>& view;
-  lighting<T> light;
-  const render_options& options;
-  screen_mapping<T> mapping;
-  mat<T, 4, 4> to_clip;
-
-  constexpr picture_frame(const auto& world, int width, int height, const render_options& how)
-      : view(world.view), light{world.ambient, world.lights, world.distance, world.k}, options(how),
-        mapping(map_to_screen<T>(width, height)),
-        to_clip(view_projection(view, static_cast<T>(width) / static_cast<T>(height))) {}
-};
-
 // The one place where a method is chosen: the one that the options name, tile by tile, so that whatever calls it is
 // compiled once for all.
 struct named_method {
@@ -270,14 +297,44 @@ struct named_method {
   }
 };
 
+// The faces of all objects.
+template <class Method, class T, class Run>
+constexpr render_stats draw_objects(const Method& method, const picture_frame<T>& f, const projected_objects<T>& seen,
+                                    drawing_lists& lists, const Run& run) {
+  const styled_objects<T> styled{seen.shadings, seen.batches, f.mapping, f.options, lists};
+  const picture_target to{run.colour, run.depth, f.options.colours.background};
+  render_stats stats = f.options.intensities == intensity_range::rescale
+                           ? draw_rescaled(method, styled, to, run.executor)
+                           : draw_styled<encoded_light>(method, styled, to, run.executor);
+  stats.triangles += seen.chosen.beyond + seen.chosen.occluded;
+  stats.skipped.frustum += seen.chosen.beyond;
+  stats.skipped.occluded += seen.chosen.occluded;
+  run.observer(render_stage::draw);
+  return stats;
+}
+
+template <class R>
+constexpr std::int64_t count_other_than(R& raster, const pixel_of<R>& background) {
+  const int width = width_of(raster), height = height_of(raster);
+  std::int64_t count = 0;
+  for (int y = 0; y < height; ++y) {
+    const pixel_of<R>* const row = raster_traits<R>::row(raster, y);
+    for (int x = 0; x < width; ++x) count += row[x] == background ? 0 : 1;
+  }
+  return count;
+}
+
 // The edges of all objects.
-template <class T, class Objects, class Run>
-constexpr render_stats draw_wire(const picture_frame<T>& f, Objects& objects, const Run& run) {
+template <class T, class Run>
+constexpr render_stats draw_wire(const picture_frame<T>& f, const picture_objects<T>& objects,
+                                 std::span<const std::uint32_t> candidates, const Run& run) {
   clear(run.colour, f.options.colours.background);
   clear(run.depth, named_method{f.options.hidden}.farthest());
   render_stats stats;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const mesh<T>& shape = objects.shape(i);
+  for (const std::uint32_t k : candidates) {
+    mesh<T> moved;
+    if (!objects.source.empty()) moved = transform_mesh(objects.source[k].shape, objects.source[k].placement);
+    const mesh<T>& shape = objects.source.empty() ? objects.made[k].shape : moved;
     const auto vertices = project_vertices<T>(shape.positions, f.to_clip, f.mapping);
     run.observer(render_stage::project);
     stats += draw_wireframe<T>(run.colour, {vertices, shape, f.mapping, f.options.skip.frustum}, f.options.colours.line,
@@ -288,48 +345,13 @@ constexpr render_stats draw_wire(const picture_frame<T>& f, Objects& objects, co
   return stats;
 }
 
-// The faces of all objects, in the style that the options name.
-template <class Method, class T, class Objects, class Run>
-constexpr render_stats draw_filled(const Method& method, const picture_frame<T>& f, Objects& objects,
-                                   draw_workspace& workspace, const Run& run) {
-  const point<T, 3> eye = viewpoint(f.view);
-  const object_selection chosen =
-      select_objects(objects, f.to_clip, width_of(run.colour), height_of(run.colour), f.options);
-  std::vector<object_shading<T>> shadings;
-  std::vector<triangle_batch<T>> batches;
-  shadings.reserve(chosen.drawn.size());
-  batches.reserve(chosen.drawn.size());
-  std::uint32_t number = 0;
-  for (const std::uint32_t k : chosen.drawn) {
-    prepared_object<T>& o = objects[k];
-    run.observer(render_stage::prepare);
-    shadings.emplace_back(o, f.light, eye).prepare(f.options.style, f.options.culling, run.executor);
-    run.observer(render_stage::shade);
-    project_vertices<T>(o.frame.vertices, o.body.positions, f.to_clip, f.mapping, run.executor);
-    batches.push_back({&o.frame.vertices, o.body.triangles, number, static_cast<std::uint32_t>(batches.size())});
-    if constexpr (requires { method.note_object(k, number, o.body.triangles.size()); })
-      method.note_object(k, number, o.body.triangles.size());
-    number += static_cast<std::uint32_t>(o.body.triangles.size());
-    run.observer(render_stage::project);
-  }
-  const styled_objects<T> styled{shadings, batches, f.mapping, f.options, workspace};
-  const picture_target to{run.colour, run.depth, f.options.colours.background};
-  render_stats stats = f.options.intensities == intensity_range::rescale
-                           ? draw_rescaled(method, styled, to, run.executor)
-                           : draw_styled<encoded_light>(method, styled, to, run.executor);
-  stats.triangles += chosen.beyond + chosen.occluded;
-  stats.skipped.frustum += chosen.beyond;
-  stats.skipped.occluded += chosen.occluded;
-  run.observer(render_stage::draw);
-  return stats;
-}
-
-template <class T, class Objects, class Run>
-constexpr render_stats draw_picture(const picture_frame<T>& f, Objects& objects, draw_workspace& workspace,
-                                    const Run& run) {
-  return f.options.style == picture_style::wire
-             ? draw_wire(f, objects, run)
-             : draw_filled(named_method{f.options.hidden}, f, objects, workspace, run);
+// All of it, for the candidates among the objects.
+template <class T, class Run>
+constexpr render_stats draw_picture(const picture_frame<T>& f, const picture_objects<T>& objects,
+                                    std::span<const std::uint32_t> candidates, drawing_lists& lists, const Run& run) {
+  if (f.options.style == picture_style::wire) return draw_wire(f, objects, candidates, run);
+  const projected_objects<T> seen = project_objects(f, objects, candidates, run.executor, run.observer);
+  return draw_objects(named_method{f.options.hidden}, f, seen, lists, run);
 }
 
 }  // namespace IRG_ABI
@@ -345,10 +367,13 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
   for ([[maybe_unused]] const object<T>& o : world.objects)
     IRG_EXPECTS(validate_faces(o.shape).defect == mesh_defect::none);
   if (width == 0 || height == 0) return {};
-  detail::objects_to_prepare<T> objects(world.objects);
-  draw_workspace workspace;
-  return detail::draw_picture<T>({world, width, height, options}, objects, workspace,
-                                 detail::picture_run{target.colour, target.depth, executor, observer});
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  std::vector<prepared_object<T>> made = detail::extents_of<T>(world.objects);
+  detail::drawing_lists lists;
+  return detail::draw_picture<T>(
+      {world, width, height, options}, {made, world.objects}, detail::all_numbers(made.size()), lists,
+      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
 }
 
 template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E>
@@ -359,19 +384,26 @@ constexpr render_stats render(const Method& method, const scene<T>& world, rende
   if (width == 0 || height == 0) return {};
   options.skip.occluded = skipping::off;
   if (options.style == picture_style::wire) options.style = picture_style::flat;
-  image<std::uint32_t> ids(width, height, no_face);
+  const auto executor_of_all = as_executor(executor);
+  const no_observer observer;
+  const auto nobody = as_function<void(render_stage)>(observer);
+  std::vector<prepared_object<T>> made = detail::extents_of<T>(world.objects);
+  const detail::picture_frame<T> frame(world, width, height, options);
+  const detail::projected_objects<T> seen = detail::project_objects<T>(
+      frame, {made, world.objects}, detail::all_numbers(made.size()), executor_of_all, nobody);
   detail::convex_bodies bodies;
   bool fronts = false;
   if constexpr (requires { method.finds_nearest(); })
     fronts = method.finds_nearest() && options.culling == face_culling::back && options.skip.convex == skipping::on;
   if (fronts)
-    for (const object<T>& o : world.objects) bodies.is_convex.push_back(is_convex_body(o.shape) ? 1 : 0);
-  detail::objects_to_prepare<T> objects(world.objects);
-  draw_workspace workspace;
-  no_observer observer;
-  return detail::draw_filled(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
-                             detail::picture_frame<T>(world, width, height, options), objects, workspace,
-                             detail::picture_run{target.colour, target.depth, executor, observer});
+    for (std::size_t i = 0; i < seen.batches.size(); ++i)
+      if (is_convex_body(world.objects[seen.chosen.drawn[i]].shape)) bodies.note(seen.batches[i]);
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  image<std::uint32_t> ids(width, height, no_face);
+  detail::drawing_lists lists;
+  return detail::draw_objects(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
+                              frame, seen, lists, detail::picture_run{colour, depth, executor_of_all, nobody});
 }
 
 template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
@@ -380,9 +412,12 @@ constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, De
                               const render_options& options, const E& executor, Observer&& observer) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
-  detail::prepared_objects<T> objects{world.objects};
-  return detail::draw_picture<T>({world, width, height, options}, objects, world.workspace,
-                                 detail::picture_run{target.colour, target.depth, executor, observer});
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  return detail::draw_picture<T>(
+      {world, width, height, options}, {world.objects}, detail::all_numbers(world.objects.size()),
+      detail::lists_of(world.workspace),
+      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
 }
 
 }  // namespace irg::inline IRG_ABI

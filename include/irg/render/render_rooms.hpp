@@ -158,18 +158,6 @@ private:
   std::vector<cell_window> seen_;
 };
 
-// Some of the objects that are prepared.
-template <class T>
-struct chosen_objects {
-  std::span<prepared_object<T>> made;
-  std::vector<std::uint32_t> numbers{};
-
-  constexpr std::size_t size() const noexcept { return numbers.size(); }
-  constexpr const object_extent<T>& extent(std::size_t i) const noexcept { return made[numbers[i]].extent; }
-  constexpr const mesh<T>& shape(std::size_t i) const noexcept { return made[numbers[i]].shape; }
-  constexpr prepared_object<T>& operator[](std::size_t i) const noexcept { return made[numbers[i]]; }
-};
-
 }  // namespace irg::detail::inline IRG_ABI
 
 namespace irg::inline IRG_ABI {
@@ -188,7 +176,7 @@ constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour,
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());
-  detail::chosen_objects<T> chosen{building.world.objects};
+  std::vector<std::uint32_t> candidates;
   std::vector<cell_window> windows(building.plan.cells.size(), cell_window{0, 0, width, height});
   if (options.skip.rooms == skipping::on)
     windows = visible_rooms(building.plan, building.doors, building.world.view, width, height);
@@ -197,11 +185,14 @@ constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour,
     if (i < windows.size() && windows[i].empty())
       skipped += static_cast<std::int64_t>(building.world.objects[i].body.triangles.size());
     else
-      chosen.numbers.push_back(i);
-  no_observer observer;
-  render_stats stats =
-      detail::draw_picture<T>({building.world, width, height, options}, chosen, building.world.workspace,
-                              detail::picture_run{target.colour, target.depth, executor, observer});
+      candidates.push_back(i);
+  const no_observer observer;
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  render_stats stats = detail::draw_picture<T>(
+      {building.world, width, height, options}, {building.world.objects}, candidates,
+      detail::lists_of(building.world.workspace),
+      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
   stats.triangles += skipped;
   stats.skipped.rooms += skipped;
   return stats;

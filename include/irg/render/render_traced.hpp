@@ -117,8 +117,8 @@ constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t
     prepared_object<T>& o = ready.objects[i];
     bodies.push_back(
         {o.body.positions, o.body.normals, o.body.triangles, o.surface, i < optic.size() ? optic[i] : optics<T>{}});
-    project_vertices<T>(o.frame.vertices, o.body.positions, to_clip, mapping, executor);
-    batches.push_back({&o.frame.vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
+    project_vertices<T>(detail::kept_of(o).vertices, o.body.positions, to_clip, mapping, executor);
+    batches.push_back({&detail::kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }
   const rgb<float> back = decode(options.colours.background);

@@ -45,11 +45,13 @@ constexpr render_stats shade_visible(render_target<Colour, Depth> target, const 
                                      const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   const detail::ids_as_they_are method{};
   draw_workspace own;
-  return detail::draw_tiles<T>(
-      detail::method_tiles<Order, detail::ids_as_they_are>{method, seen.ids}, target.depth,
-      detail::job_of(seen.of, settings, own),
-      detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
-      executor);
+  auto&& colour = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  return detail::draw_tiles<T>(detail::method_tiles<Order, detail::ids_as_they_are>{method, seen.ids}, depth,
+                               detail::job_of(seen.of, settings, own),
+                               detail::colour_tiles<T, std::remove_reference_t<decltype(colour)>, MakeShader>(
+                                   colour, make_shader, settings.clear, settings.background),
+                               as_executor(executor));
 }
 
 }  // namespace IRG_ABI

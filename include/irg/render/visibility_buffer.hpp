@@ -59,8 +59,11 @@ template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster I
 constexpr render_stats draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
                                        const depth_settings& settings = {}, const E& executor = {}) {
   draw_workspace own;
-  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
-                               detail::number_tiles<T, Ids>(target.colour, settings.clear), executor);
+  auto&& ids = detail::rows_of(target.colour);
+  auto&& depth = detail::rows_of(target.depth);
+  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, depth, detail::job_of(triangles, settings, own),
+                               detail::number_tiles<T, std::remove_reference_t<decltype(ids)>>(ids, settings.clear),
+                               as_executor(executor));
 }
 
 }  // namespace IRG_ABI

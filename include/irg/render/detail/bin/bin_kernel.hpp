@@ -17,7 +17,7 @@
 #include <irg/core/lanes.hpp>
 #include <irg/raster/screen_pieces.hpp>
 #include <irg/raster/triangle_batch.hpp>
-#include <irg/raster/triangle_coverage.hpp>
+#include <irg/raster/triangle_setup.hpp>
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/window.hpp>
 #include <irg/render/detail/visible/tile.hpp>
@@ -34,21 +34,6 @@ static_assert(sizeof(triangle_indices) == 12);
 IRG_INLINE void prefetch_vertices(const screen_vertex* screen, const triangle_indices& t) noexcept {
   for (const std::uint32_t v : t.v) prefetch(screen, static_cast<std::ptrdiff_t>(std::size_t{v} * sizeof *screen));
 }
-
-// The boxes of N triangles on the screen, and twice their areas.
-template <int N>
-struct triangle_boxes {
-  using integers = pack<std::int32_t, N>;
-  integers left, right, top, bottom;
-  integers narrow;  // sides below 2^15, which leave the area within 31 bits and a sign; where not, it is of no account
-  integers double_area;
-
-  IRG_INLINE triangle_boxes(const integers (&x)[3], const integers (&y)[3]) noexcept
-      : left(low_of(low_of(x[0], x[1]), x[2])), right(high_of(high_of(x[0], x[1]), x[2])),
-        top(low_of(low_of(y[0], y[1]), y[2])), bottom(high_of(high_of(y[0], y[1]), y[2])),
-        narrow(both(right - left < (1 << 15), bottom - top < (1 << 15))),
-        double_area((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) {}
-};
 
 // What became of N triangles: one bit per lane.
 template <int N>
@@ -438,8 +423,7 @@ constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, cons
 }
 
 // Lays the lists of all portions one after the other.
-template <class E>
-constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& executor) {
+constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const executor_ref& executor) {
   bins.tile_first.assign(tiles + 1, 0);
   bins.tile_area.assign(tiles, 0.0f);
   bins.skipped = {};
@@ -475,9 +459,9 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
 }
 
 // Makes the lists of all tiles for the triangles of all batches.
-template <class T, class E>
+template <class T>
 constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                             const listing_rules<T>& rules, const E& executor) {
+                             const listing_rules<T>& rules, const executor_ref& executor) {
   constexpr std::uint32_t portion = 1 << 15;
   std::size_t used = 0;
   bins.triangle_count = 0;

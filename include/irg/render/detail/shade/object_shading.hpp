@@ -195,10 +195,9 @@ struct object_shading {
   }
 
   // Works out the colours that the style keeps, unless they are there from the last picture.
-  template <class E>
-  constexpr void prepare(picture_style style, face_culling culling, const E& executor) {
+  constexpr void prepare(picture_style style, face_culling culling, const executor_ref& executor) {
     const lighting<T>& light = flat.light;
-    object_frame<T>& frame = made.frame;
+    object_frame<T>& frame = kept_of(made);
     shading_key<T> key{
         style,         culling,        made.surface, flat.eye, {light.lights.begin(), light.lights.end()},
         light.ambient, light.distance, light.k};
@@ -226,8 +225,8 @@ struct object_shading {
 
 private:
   // Calls f(first, last) for all of count, a thousand of them in a task.
-  template <class E, class F>
-  static constexpr void for_portions(const E& executor, std::size_t count, const F& f) {
+  template <class F>
+  static constexpr void for_portions(const executor_ref& executor, std::size_t count, const F& f) {
     constexpr std::size_t portion = 1024;
     executor((count + portion - 1) / portion, [&](std::size_t k) { f(k * portion, lesser((k + 1) * portion, count)); });
   }
@@ -243,7 +242,7 @@ struct flat_pixels {
     const object_shading<T>& o = objects[batch.object];
     const std::uint32_t f = o.made.body.face_of[triangle];
     return solid_shader<decltype(Output{}({}))>{
-        Output{}(side == facing::front ? o.made.frame.face_colours[f] : o.face_colour(f, side))};
+        Output{}(side == facing::front ? kept_of(o.made).face_colours[f] : o.face_colour(f, side))};
   }
 };
 
@@ -255,7 +254,7 @@ struct gouraud_pixels {
 
   IRG_INLINE constexpr const float* attributes(const triangle_batch<T>& batch, std::uint32_t vertex,
                                                facing side) const noexcept {
-    return objects[batch.object].made.frame.vertex_colours[side == facing::back ? 1 : 0][vertex].data();
+    return kept_of(objects[batch.object].made).vertex_colours[side == facing::back ? 1 : 0][vertex].data();
   }
   IRG_INLINE constexpr auto pixel(const std::array<float, 3>& light) const noexcept {
     return Output{}({light[0], light[1], light[2]});

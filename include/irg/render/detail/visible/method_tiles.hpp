@@ -14,13 +14,17 @@
 
 namespace irg::detail {
 
-// Which objects of a picture are convex bodies of which only front faces are drawn, and their triangles' numbers.
+// The numbers of triangles of the convex bodies in a picture of which only front faces are drawn.
 struct IRG_APART convex_bodies {
   struct range {
     std::uint32_t first, end;
   };
-  std::vector<std::uint8_t> is_convex;  // by object
   std::vector<range> drawn;  // numbers rise
+
+  template <class T>
+  constexpr void note(const triangle_batch<T>& body) {
+    drawn.push_back({body.first_number, body.first_number + static_cast<std::uint32_t>(body.triangles.size())});
+  }
 
   // Whether two triangles belong to one of them.
   template <std::same_as<std::uint32_t> N>
@@ -96,21 +100,15 @@ template <class Order, class Method>
 struct method_tiles {
   const Method& method;
   image<std::uint32_t>& ids;
-  convex_bodies* bodies = nullptr;
+  const convex_bodies* bodies = nullptr;
 
   static constexpr float farthest() noexcept { return Order::farthest; }
-
-  // Object k is drawn, as `count` triangles that are numbered from `first` on.
-  constexpr void note_object(std::uint32_t k, std::uint32_t first, std::size_t count) const {
-    if (bodies != nullptr && bodies->is_convex[k] != 0)
-      bodies->drawn.push_back({first, first + static_cast<std::uint32_t>(count)});
-  }
 
   template <class T, class Depth>
   constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i,
                                    const tile_finish<T>& finish) const {
     const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
-    const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
+    const std::span<const std::uint32_t> numbers = job.lists.bins.list_of(i);
     const triangle_finder<T> find = job.finder();
     draw_counts counts;
     const window_faces<T> faces = make_window_faces{}(find, numbers);

@@ -46,7 +46,10 @@ inline constexpr float key_sign<drawing_order> = 1;
 
 inline namespace IRG_ABI {
 
+// Pixels and triangles of a tile are worked on so many at a time.
 inline constexpr int tile_lanes = native_lanes<float>;
+using tile_integers = pack<std::int32_t, tile_lanes>;
+using tile_floats = pack<float, tile_lanes>;
 
 // What pixels beside the picture hold: nothing is nearer, so they are never drawn to and never tested in earnest.
 inline constexpr float beyond_everything = std::numeric_limits<float>::infinity();
@@ -54,16 +57,16 @@ inline constexpr float beyond_everything = std::numeric_limits<float>::infinity(
 // Makes the tile empty: nothing drawn, everything at the key of the farthest depth.
 // needs   1 <= width, height <= tile_size: the part that lies in the picture
 IRG_INLINE void clear_tile(tile& t, int width, int height, float farthest) noexcept {
-  using F = lanes<pack<float, tile_lanes>>;
+  using F = lanes<tile_floats>;
   const auto x = F::ramp(), end = F::broadcast(static_cast<float>(width));
-  const auto none = lanes<pack<std::int32_t, tile_lanes>>::broadcast(-1);
+  const auto none = lanes<tile_integers>::broadcast(-1);
   for (int row = 0; row < tile_size; ++row)
     for (int k = 0; k < tile_stride; k += tile_lanes) {
       const auto inside = x + F::broadcast(static_cast<float>(k)) < end;
       const auto key =
           select(inside, F::broadcast(row < height ? farthest : beyond_everything), F::broadcast(beyond_everything));
       F::store(t.key + row * tile_stride + k, key);
-      lanes<pack<std::int32_t, tile_lanes>>::store_bytes(t.id + row * tile_stride + k, none);
+      lanes<tile_integers>::store_bytes(t.id + row * tile_stride + k, none);
     }
   for (int b = 0; b < blocks_across * blocks_across; ++b)
     t.farthest_key[b] = b % blocks_across * block_size < width && b / blocks_across * block_size < height
@@ -77,7 +80,7 @@ IRG_INLINE void clear_tile(tile& t, int width, int height, float farthest) noexc
 
 // Reckons `farthest` anew.
 IRG_INLINE void refresh_farthest(tile& t) noexcept {
-  using F = lanes<pack<float, tile_lanes>>;
+  using F = lanes<tile_floats>;
   auto least = F::load(t.farthest_key);
   for (int i = tile_lanes; i < blocks_across * blocks_across; i += tile_lanes)
     least = low_of(F::load(t.farthest_key + i), least);
@@ -92,7 +95,7 @@ IRG_INLINE void hide_key(tile& t, float key) noexcept {
 
 // The least key of a block.
 IRG_INLINE float farthest_of_block(const tile& t, int block) noexcept {
-  using F = lanes<pack<float, tile_lanes>>;
+  using F = lanes<tile_floats>;
   const float* row = t.key + block / blocks_across * block_size * tile_stride + block % blocks_across * block_size;
   auto least = F::load(row);
   for (int r = 0; r < block_size; ++r, row += tile_stride)

@@ -27,11 +27,31 @@ enum class clearing { none, before_drawing };
 /// left as it is at run time: no work is spent on it.
 enum class depth_result { kept, dropped };
 
-/// The lists that drawing makes. Kept from picture to picture, they spare the next one the allocation.
-struct draw_workspace {
-  detail::triangle_bins bins;
+namespace detail {
+
+// The lists that drawing makes.
+struct drawing_lists {
+  triangle_bins bins;
   std::vector<std::uint8_t> seen;  // by triangle: whether any part of it was not passed over
 };
+struct open_workspace;
+
+}  // namespace detail
+
+/// The lists that drawing makes. Kept from picture to picture, they spare the next one the allocation.
+class draw_workspace {
+  friend struct detail::open_workspace;
+  detail::drawing_lists lists_;
+};
+
+namespace detail {
+
+struct open_workspace {
+  IRG_INLINE constexpr drawing_lists& operator()(draw_workspace& w) const noexcept { return w.lists_; }
+};
+IRG_INLINE constexpr drawing_lists& lists_of(draw_workspace& w) noexcept { return open_workspace{}(w); }
+
+}  // namespace detail
 
 /// Where drawing goes: a raster of colours or numbers, and the depths of what it shows, of one size. At a call
 /// `{picture, depth}` is enough where they are the images that the function takes by default, else
@@ -79,8 +99,8 @@ inline namespace IRG_ABI {
 template <class T>
 std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers, const triangle_finder<T>& find,
                                          float sign) {
-  constexpr int count = tile_triangles::most;
-  using F = lanes<pack<float, count>>;
+  constexpr int count = tile_lanes;
+  using F = lanes<tile_floats>;
   const std::size_t size = numbers.size();
   std::vector<float> key(size + count);
   auto least = F::broadcast(beyond_everything), greatest = F::broadcast(-beyond_everything);
@@ -109,26 +129,41 @@ std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers,
 
 }  // namespace IRG_ABI
 
+template <class R>
+inline constexpr bool has_window = false;
+template <class R>
+inline constexpr bool has_window<raster_within<R>> = true;
+
+// A raster as its rows allow: a view where they stand evenly, else itself, as one that is drawn to in part only.
+template <RowRaster R>
+IRG_INLINE constexpr decltype(auto) rows_of(R& r) {
+  if constexpr (EvenRowRaster<R> && !has_window<std::remove_const_t<R>>)
+    return view_of(r);
+  else
+    return (r);
+}
+
 // What is drawn, and how, whatever becomes of it.
 template <class T>
 struct IRG_APART tile_job {
   std::span<const triangle_batch<T>> batches;
   const screen_mapping<T>& mapping;
-  draw_workspace& workspace;
+  drawing_lists& lists;
   face_culling culling;
   skip_options skip;
   clearing clear;
   depth_result depth = depth_result::kept;
 
-  constexpr triangle_finder<T> finder() const noexcept { return {batches, &workspace.bins}; }
+  constexpr triangle_finder<T> finder() const noexcept { return {batches, &lists.bins}; }
 };
 
 // The job that settings describe; `own` serves where they bring no workspace.
 template <class T>
 IRG_APART constexpr tile_job<T> job_of(const projected_triangles<T>& triangles, const auto& settings,
                                        draw_workspace& own) noexcept {
-  tile_job<T> job{triangles.batches(), triangles.mapping(), settings.workspace != nullptr ? *settings.workspace : own,
-                  settings.culling,    settings.skip,       settings.clear};
+  tile_job<T> job{
+      triangles.batches(), triangles.mapping(), lists_of(settings.workspace != nullptr ? *settings.workspace : own),
+      settings.culling,    settings.skip,       settings.clear};
   if constexpr (requires { settings.depth; }) job.depth = settings.depth;
   return job;
 }
@@ -166,7 +201,7 @@ constexpr void add_skips(render_stats& stats, const triangle_bins& bins, std::sp
 // Notes that none of a list is passed over.
 template <class T>
 IRG_INLINE constexpr void mark_all_seen(const tile_job<T>& job, std::span<const std::uint32_t> numbers) noexcept {
-  for (const std::uint32_t number : numbers) store_relaxed(job.workspace.seen[job.finder().source(number)], 1);
+  for (const std::uint32_t number : numbers) store_relaxed(job.lists.seen[job.finder().source(number)], 1);
 }
 
 // The window of a tile without triangles and of those to its right; empty for one that has such a tile to its left:
@@ -227,21 +262,21 @@ IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_
   const picture_tiles grid(width_of(depth), height_of(depth));
   const cell_window w = grid.window(i);
   const triangle_finder<T> find = job.finder();
-  numbers = job.workspace.bins.list_of(i);
+  numbers = job.lists.bins.list_of(i);
   clear_tile(t, w.x_last - w.x_first, w.y_last - w.y_first, Order::farthest * sign);
   if (job.clear == clearing::none) load_depths(t, depth, w, sign);
   // Where pixels are covered more than twice, order and rejection pay. A triangle covers half of its box.
   const bool front_first =
       Test != tile_test::always && job.skip.occluded == skipping::on &&
-      job.workspace.bins.tile_area[i] > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
+      job.lists.bins.tile_area[i] > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
   if (front_first) {
     sorted = front_to_back(numbers, find, sign);
     numbers = sorted;
   }
-  tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, job.workspace.seen.data(), Order::farthest * sign};
-  painter.template draw_list<Test>();
+  tile_pass<T> pass{find, numbers, w, {sign, front_first}, t, job.lists.seen.data(), Order::farthest * sign};
+  draw_list<Test>(pass);
   if (job.clear == clearing::none || job.depth == depth_result::kept) store_depths<Test>(t, depth, w, sign);
-  return {painter.tested, 0, painter.ties};
+  return {pass.tested, 0, pass.ties};
 }
 
 // The z-buffer, and drawing in the order given: what a tile shows by comparing depths.
@@ -258,7 +293,7 @@ struct zbuffer_tiles {
       if (!std::is_constant_evaluated()) return in_lanes(depth, job, i, finish);
     if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
     visible_pixels pixels(w);
-    const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
+    const std::span<const std::uint32_t> numbers = job.lists.bins.list_of(i);
     mark_all_seen(job, numbers);
     draw_counts counts = find_visible_plainly<Order, Test>(pixels, depth, numbers, job.finder(), w);
     counts.shaded =
@@ -282,13 +317,13 @@ template <class Order>
 using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ? tile_test::always : tile_test::nearer>;
 
 // All tiles. What is seen is the method's affair, what becomes of it finish's.
-template <class T, class Method, class Depth, class E>
+template <class T, class Method, class Depth>
 constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job,
-                                  const tile_finish<T>& finish, const E& executor) {
+                                  const tile_finish<T>& finish, const executor_ref& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
-  triangle_bins& bins = job.workspace.bins;
+  triangle_bins& bins = job.lists.bins;
   bin_triangles(bins, job.batches, {job.mapping, grid, job.culling, job.skip}, executor);
-  job.workspace.seen.assign(bins.triangle_count, 0);
+  job.lists.seen.assign(bins.triangle_count, 0);
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {
     if (!bins.list_of(i).empty()) {
@@ -302,7 +337,7 @@ constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile
   render_stats stats;
   for (const draw_counts& c : done) stats.pixels += c;
   stats.drawn = stats.pixels.shaded;
-  add_skips(stats, bins, job.workspace.seen, job.skip);
+  add_skips(stats, bins, job.lists.seen, job.skip);
   return stats;
 }
 

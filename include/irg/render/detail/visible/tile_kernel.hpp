@@ -27,11 +27,10 @@ struct tile_order {
 
 // Triangles of a tile, ready to be drawn, a lane each. F is taken at the first pixel of the box.
 struct tile_triangles {
-  static constexpr int most = native_lanes<std::int32_t>;
-  std::int32_t f[3][most], right[3][most], down[3][most];
-  float gain[3][most], rest[most], low[most], high[most], slack[most];
-  std::int32_t x_first[most], y_first[most], x_last[most], y_last[most];  // within the tile
-  std::uint32_t place[most];  // in the tile's list
+  std::int32_t f[3][tile_lanes], right[3][tile_lanes], down[3][tile_lanes];
+  float gain[3][tile_lanes], rest[tile_lanes], low[tile_lanes], high[tile_lanes], slack[tile_lanes];
+  std::int32_t x_first[tile_lanes], y_first[tile_lanes], x_last[tile_lanes], y_last[tile_lanes];  // within the tile
+  std::uint32_t place[tile_lanes];  // in the tile's list
 };
 
 // What the pixels of one triangle share, broadcast.
@@ -62,7 +61,7 @@ IRG_INLINE F slack_of(const F& largest) noexcept {
 
 // Counts of pixels, lane by lane.
 struct tile_counts {
-  pack<std::int32_t, native_lanes<std::int32_t>> tested, ties;
+  tile_integers tested, ties;
 };
 
 // Where a register of pixels stands in the tile.
