@@ -32,6 +32,8 @@
 #include <irg/hidden/height_grid.hpp>
 #include <irg/hidden/grid_surface.hpp>
 #include <irg/hidden/grid_covering_order.hpp>
+#include <irg/hidden/textbook/transformed_facets.hpp>
+#include <irg/hidden/textbook/facet_angles.hpp>
 #include <irg/hidden/textbook/grid_surface.hpp>
 #include <irg/hidden/horizon_view.hpp>
 #include <irg/hidden/surface_camera.hpp>
