@@ -11,6 +11,8 @@
 #include <irg/hidden/painter_once.hpp>
 #include <irg/hidden/textbook/depth_sort.hpp>
 #include <irg/hidden/textbook/newell_tests.hpp>
+#include <irg/hidden/textbook/split_by_plane.hpp>
+#include <irg/hidden/textbook/depth_sort_parts.hpp>
 #include <irg/hidden/textbook/painter.hpp>
 #include <irg/hidden/painter.hpp>
 #include <irg/hidden/bsp_faces.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first half of Weiler and Atherton's clipping: each ring of both polygons is a list of its vertices, into which the
-// points are put where the boundaries cross. clip_weiler_atherton.hpp has the walk along them.
+// The first half of Weiler and Atherton's clipping: each ring of both polygons is a list of its vertices, into which
+// the points are put where the boundaries cross. clip_weiler_atherton.hpp has the walk along them.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The angles of the perimeter method about the vanishing point of upright lines, as the source has them: numbers that grow
-// with an angle, and the order of a facet's corners by it. grid_surface.hpp has what crosses a perimeter.
+// The angles of the perimeter method about the vanishing point of upright lines, as the source has them: numbers that
+// grow with an angle, and the order of a facet's corners by it. grid_surface.hpp has what crosses a perimeter.
 #pragma once
 
 #include <array>

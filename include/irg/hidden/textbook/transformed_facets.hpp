@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The facets of a grid surface in covering order with their corners transformed, one row of which is kept, as the source
-// describes it. `visible_grid_edges` transforms nothing.
+// The facets of a grid surface in covering order with their corners transformed, one row of which is kept, as the
+// source describes it. `visible_grid_edges` transforms nothing.
 #pragma once
 
 #include <array>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The lecture's fill of a convex polygon, in its own words: in each row L is the greatest crossing with a left edge, D
-// the least with a right edge, and the cells from L to D, points of the integer grid, are drawn. What the lecture leaves
-// open, which cells L and D themselves bring, is sample_rule. Every row asks every edge: irg::fill_convex is for drawing.
+// the least with a right edge, and the cells from L to D, points of the integer grid, are drawn. What the lecture
+// leaves open, which cells L and D themselves bring, is sample_rule. Every row asks every edge: irg::fill_convex is
+// for drawing.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a lecture's fill leaves open: which cells, points of the integer grid, a row from L to D has. fill_convex.hpp asks
-// it for every row of a polygon.
+// What a lecture's fill leaves open: which cells, points of the integer grid, a row from L to D has. fill_convex.hpp
+// asks it for every row of a polygon.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lecture's projections, from the eye's system, z the distance along the view, to the picture plane: P as a matrix for
-// row vectors, and the division by z without loss.
+// The lecture's projections, from the eye's system, z the distance along the view, to the picture plane: P as a matrix
+// for row vectors, and the division by z without loss.
 #pragma once
 
 #include <limits>

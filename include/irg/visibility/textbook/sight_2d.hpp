@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Line of sight by the modified Bresenham line of sight_steps.hpp, as a thesis builds it; 45 degrees have their own rule.
+// Line of sight by the modified Bresenham line of sight_steps.hpp, as a thesis builds it; 45 degrees have a rule.
 #pragma once
 
 #include <algorithm>
