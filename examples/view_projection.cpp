@@ -15,6 +15,7 @@
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/view/textbook/project_perspective.hpp>
 #include <irg/view/textbook/view_transform.hpp>
 
 #include "support/command_line.hpp"

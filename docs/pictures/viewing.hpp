@@ -11,6 +11,7 @@
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/line_aa.hpp>
 #include <irg/view/polar_camera.hpp>
+#include <irg/view/textbook/project_perspective.hpp>
 #include <irg/view/textbook/view_transform.hpp>
 
 #include "enlarged.hpp"

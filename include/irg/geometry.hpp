@@ -57,6 +57,7 @@
 #include <irg/geometry/polygon_overlay.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/geometry/textbook/clip_weiler_atherton.hpp>
+#include <irg/geometry/textbook/weiler_atherton_lists.hpp>
 #include <irg/geometry/textbook/barycentric.hpp>
 #include <irg/geometry/textbook/clip_sutherland_hodgman.hpp>
 #include <irg/geometry/textbook/intersect_lines.hpp>

@@ -11,6 +11,8 @@
 #include <irg/hidden/painter_once.hpp>
 #include <irg/hidden/textbook/depth_sort.hpp>
 #include <irg/hidden/textbook/newell_tests.hpp>
+#include <irg/hidden/textbook/split_by_plane.hpp>
+#include <irg/hidden/textbook/depth_sort_parts.hpp>
 #include <irg/hidden/textbook/painter.hpp>
 #include <irg/hidden/painter.hpp>
 #include <irg/hidden/bsp_faces.hpp>
@@ -32,6 +34,8 @@
 #include <irg/hidden/height_grid.hpp>
 #include <irg/hidden/grid_surface.hpp>
 #include <irg/hidden/grid_covering_order.hpp>
+#include <irg/hidden/textbook/transformed_facets.hpp>
+#include <irg/hidden/textbook/facet_angles.hpp>
 #include <irg/hidden/textbook/grid_surface.hpp>
 #include <irg/hidden/horizon_view.hpp>
 #include <irg/hidden/surface_camera.hpp>

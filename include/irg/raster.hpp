@@ -29,6 +29,7 @@
 #include <irg/raster/fill_polygons.hpp>
 #include <irg/raster/fill_rule.hpp>
 #include <irg/raster/textbook/fill_convex.hpp>
+#include <irg/raster/textbook/sample_rule.hpp>
 #include <irg/raster/seed_fill.hpp>
 #include <irg/raster/fill_convex_aa.hpp>
 #include <irg/raster/fill_polygon_aa.hpp>

@@ -19,5 +19,7 @@
 #include <irg/view/frustum.hpp>
 #include <irg/view/window_to_viewport.hpp>
 #include <irg/view/textbook/window_to_viewport.hpp>
+#include <irg/view/textbook/view_steps.hpp>
 #include <irg/view/textbook/view_transform.hpp>
+#include <irg/view/textbook/project_perspective.hpp>
 #include <irg/view/view_window.hpp>

@@ -24,6 +24,8 @@
 #include <irg/visibility/space_plan.hpp>
 #include <irg/visibility/space_portals.hpp>
 #include <irg/visibility/cells_from_bsp.hpp>
+#include <irg/visibility/textbook/sight_steps.hpp>
 #include <irg/visibility/textbook/sight_2d.hpp>
+#include <irg/visibility/textbook/sight_cells.hpp>
 #include <irg/visibility/textbook/sight_3d.hpp>
 #include <irg/visibility/textbook/sight_search.hpp>

@@ -19,7 +19,7 @@ GRAMMAR = """\
 # `irg-conformance 1`. Then come cases:
 #   case NAME KIND       KIND is line, fill or tiling
 #   ...                  the input: a key and its values, as below
-#   expect N             the number of items that follow, one a line
+#   expect N             the number of items that follow, several a line
 #   end
 # A window x0 y0 x1 y1 holds the cells with x0 <= x < x1 and y0 <= y < y1; cells outside of it are not drawn.
 """
@@ -153,6 +153,9 @@ def runs(cells):
 
 # ---- the text
 
+WIDTH = 120
+
+
 class Vectors:
     def __init__(self, name, about, *keys):
         self.name = name
@@ -165,6 +168,16 @@ class Vectors:
     def put(self, *words):
         self.text.append(" ".join(str(w) for w in words) + "\n")
 
+    def flow(self, between, groups):
+        """Groups of words, as many to a line as fit."""
+        lines = []
+        for group in (" ".join(str(w) for w in words) for words in groups):
+            if lines and len(lines[-1]) + len(between) + len(group) <= WIDTH:
+                lines[-1] += between + group
+            else:
+                lines.append(group)
+        self.text += [line + "\n" for line in lines]
+
     def begin(self, name, kind):
         assert name not in self.names, name
         self.names.add(name)
@@ -173,18 +186,13 @@ class Vectors:
 
     def expect(self, items):
         self.put("expect", len(items))
-        for item in items:
-            self.put(*item)
+        self.flow("  ", items)
         self.put("end")
 
     def line(self, name, a, b, window, ties="start-side", ends="closed", known=None):
         """known: minor coordinates of the cells, as published for this line."""
         self.begin(name, "line")
-        self.put("from", *a)
-        self.put("to", *b)
-        self.put("ties", ties)
-        self.put("ends", ends)
-        self.put("window", *window)
+        self.flow(" ", [("from", *a), ("to", *b), ("ties", ties), ("ends", ends), ("window", *window)])
         cells = line_cells(a, b, ties, ends, window)
         assert known is None or [c[abs(b[1] - a[1]) < abs(b[0] - a[0])] for c in cells] == known, (name, cells)
         self.expect(cells)
@@ -193,8 +201,7 @@ class Vectors:
         self.begin(name, "fill")
         for ring in rings:
             self.put("ring", len(ring), *(c for p in ring for c in p))
-        self.put("rule", rule)
-        self.put("window", *window)
+        self.put("rule", rule, "window", *window)
         cells = fill_cells(rings, rule, window)
         assert count is None or len(cells) == count, (name, len(cells))
         self.expect(runs(cells))
@@ -204,8 +211,7 @@ class Vectors:
         self.begin(name, "tiling")
         for ring in tiles:
             self.put("ring", len(ring), *(c for p in ring for c in p))
-        self.put("rule", rule)
-        self.put("window", *window)
+        self.put("rule", rule, "window", *window)
         items, seen = [], set()
         for tile, ring in enumerate(tiles):
             cells = fill_cells([ring], rule, window)

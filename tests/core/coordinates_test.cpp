@@ -9,33 +9,17 @@
 #include <utility>
 #include <vector>
 
-#ifdef IRG_HAVE_GLM
-#include <glm/glm.hpp>
-#include <glm/gtc/quaternion.hpp>
-#endif
-#ifdef IRG_HAVE_EIGEN
-#include <Eigen/Core>
-#endif
-#ifdef IRG_HAVE_OPENCV
-#include <opencv2/core.hpp>
-#endif
-
 #include "support/archetypes.hpp"
 #include "support/check_both.hpp"
+#include "support/own_types.hpp"
 
 namespace {
 
 using irg::coordinate_kind;
 
-struct plain2 {
-  float x, y;
-};
-struct plain3 {
-  double x, y, z;
-};
-struct plain4 {
-  int x, y, z, w;
-};
+using plain2 = own::plain2<float>;
+using plain3 = own::plain3<double>;
+using plain4 = own::plain4<int>;
 struct vertex {  // coordinates with passengers: readable, and made with the passengers' defaults
   float x = 0, y = 0, z = 0;
   std::uint32_t colour = 7;

@@ -5,12 +5,10 @@
 #include <vector>
 
 #include <irg/math/vec.hpp>
-#ifdef IRG_HAVE_GLM
-#include <glm/glm.hpp>
-#endif
 
 #include "support/archetypes.hpp"
 #include "support/check_both.hpp"
+#include "support/own_types.hpp"
 
 namespace {
 

@@ -5,21 +5,14 @@
 #include <string>
 
 #include <irg/math/vec.hpp>
-#ifdef IRG_HAVE_EIGEN
-#include <Eigen/Core>
-#endif
-#ifdef IRG_HAVE_GLM
-#include <glm/glm.hpp>
-#endif
 
 #include "support/archetypes.hpp"
 #include "support/check_both.hpp"
+#include "support/own_types.hpp"
 
 namespace {
 
-struct plain_plane {
-  double a, b, c, d;
-};
+using own::plain_plane;
 struct mixed_plane {
   double a, b, c;
   float d;

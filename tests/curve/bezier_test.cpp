@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/check_both.hpp"
+#include "support/own_types.hpp"
 #include "support/random.hpp"
 
 using namespace irg;
@@ -54,10 +55,6 @@ constexpr bool same_backwards(int n) {
       return false;
   return true;
 }
-
-struct plain {
-  float x, y;
-};
 
 }  // namespace
 
@@ -197,8 +194,8 @@ TEST_CASE("bezier: translation over a lattice is exact") {
 }
 
 TEST_CASE("bezier: any range of any type") {
-  const std::vector<plain> foreign{{0, 0}, {1, 2}, {2, 0}};
-  std::vector<plain> scratch(3, plain{});
+  const std::vector<own::plain2<float>> foreign{{0, 0}, {1, 2}, {2, 0}};
+  std::vector<own::plain2<float>> scratch(3, own::plain2<float>{});
   CHECK(bezier_point(foreign, 0.5f, scratch).y == 1);
   CHECK(bezier_sample(foreign, 0.5f, scratch).derivative.x == 2);
   const std::array<hpoint<double, 2>, 3> quarter{hpoint<double, 2>{1, 0, 1}, {1, 1, 1}, {0, 2, 2}};

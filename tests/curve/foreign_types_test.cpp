@@ -20,27 +20,14 @@
 #include <span>
 #include <vector>
 
-#ifdef IRG_HAVE_GLM
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#endif
-#ifdef IRG_HAVE_EIGEN
-#include <Eigen/Core>
-#endif
-#ifdef IRG_HAVE_OPENCV
-#include <opencv2/core.hpp>
-#endif
+#include "support/own_types.hpp"
 
 #include <doctest/doctest.h>
 
 namespace {
 
-struct plain2 {
-  double x, y;
-};
-struct plain3 {
-  double x, y, z;
-};
+using plain2 = own::plain2<double>;
+using plain3 = own::plain3<double>;
 
 template <class P>
 std::array<P, 4> control_points() {

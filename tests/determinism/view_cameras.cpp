@@ -3,6 +3,7 @@
 #include <irg/geometry/compare.hpp>
 #include <irg/shade/light_placement.hpp>
 #include <irg/view/textbook/polar_camera.hpp>
+#include <irg/view/textbook/project_perspective.hpp>
 #include <irg/view/textbook/view_transform.hpp>
 
 #include "hashes.hpp"

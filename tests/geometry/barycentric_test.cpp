@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <irg/geometry/barycentric.hpp>
 
+#include <irg/geometry/textbook/barycentric.hpp>
+
 #include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <utility>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/archetypes.hpp"
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
@@ -328,3 +331,54 @@ TEST_CASE("barycentric: numbers that can do no more than Scalar asks for") {
 }
 
 }  // namespace
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  using P2 = point<T, 2>;
+  // The share of the bound: 2 ulp for subnormal numbers and large ones.
+  const auto share = [](T got, const E& area, const E& whole) {
+    const double error = quotient_error(got, area, whole), size = std::fabs(static_cast<double>(got));
+    const bool is_far = size < static_cast<double>(std::numeric_limits<T>::min()) || size > 0x1p960;
+    const bool has_sign = !(abs(area) < abs(whole) * of(std::numeric_limits<T>::denorm_min()));
+    if (has_sign && sign_of(got) != area.sign() * whole.sign()) return wrong;
+    return error / (is_far ? 2 : sizeof(T) == 4 ? 0.501 : 0.51);
+  };
+  const auto compare = [&](const std::optional<vec<T, 3>>& got, const P2& a, const P2& b, const P2& c, const P2& t) {
+    const E whole = twice_area(a, b, c);
+    if (got.has_value() != (whole.sign() != 0)) return wrong;
+    if (!got) return 0.0;
+    const double first = share(got->x, twice_area(t, b, c), whole), second = share(got->y, twice_area(a, t, c), whole);
+    return std::fmax(first, std::fmax(second, share(got->z, twice_area(a, b, t), whole)));
+  };
+  sweep(
+      named<T>("barycentric, of its bound"), 1,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 2, 4>(r, which);
+        return compare(barycentric(p[0], p[1], p[2], p[3]), p[0], p[1], p[2], p[3]);
+      },
+      2000);
+  sweep(
+      named<T>("barycentric in space, of its bound"), 1,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        P2 seen[3][4];
+        E size[3];
+        int best = 0;
+        for (int k = 0; k < 3; ++k) {
+          for (std::size_t i = 0; i < 4; ++i) seen[k][i] = {p[i][(k + 1) % 3], p[i][(k + 2) % 3]};
+          size[k] = abs(twice_area(seen[k][0], seen[k][1], seen[k][2]));
+          if (size[best] < size[k]) best = k;
+        }
+        if (widest_view(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best)))
+          return wrong;
+        const P2* s = seen[best];
+        if (irg::textbook::barycentric_replaced(p[0], p[1], p[2], p[3], best) != barycentric(p[0], p[1], p[2], p[3]))
+          return wrong;
+        return compare(barycentric(p[0], p[1], p[2], p[3]), s[0], s[1], s[2], s[3]);
+      },
+      2000);
+}
+
+#endif

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/endless_number.hpp"
 #include "support/random.hpp"
@@ -158,3 +159,30 @@ TEST_CASE("box: the enclosing box of random points holds them, and each side tou
     CHECK(touched == 63u);
   }
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("box: size, centre and sphere, numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("box: size, centre and sphere"), 2,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 2>(r, which);
+        irg::box<T, 3> b;
+        for (const auto& q : p) b = enclosing_box(b, q);
+        const auto s = size(b);
+        const auto middle = centre(b);
+        E squared = 0;
+        for (int k = 0; k < 3; ++k) {
+          const E low = of(b.low[k]), high = of(b.high[k]), half = (low + high).times_power_of_two(-1);
+          if (s[k] != test::nearest<T>(high - low)) return wrong;
+          if (error_in_ulp(middle[k], half) > 0.5) return wrong;
+          const E up = high - of(middle[k]), down = of(middle[k]) - low;
+          squared = squared + (up < down ? down * down : up * up);
+        }
+        return root_error(sphere_around(b).radius, squared, E(1));
+      },
+      3000);
+}
+
+#endif

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -469,3 +470,36 @@ TEST_CASE("clip_homogeneous: a vertex type of the user's own, a guard band, chos
   CHECK(clip_homogeneous(own, {clip_planes::depth}, own_rule{}).count == 3);
   CHECK(clip_homogeneous(own, {clip_planes::none}, own_rule{}).count == 3);
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("clip_homogeneous: numbers of all sizes, of its bound", T, double, float) {
+  using namespace test::mixed;
+  // Positions against attributes that are the positions: as shares of guard * (16u * the largest coordinate + 2 * the
+  // smallest number).
+  sweep(
+      named<T>("clip_homogeneous, of its bound"), 1,
+      [](test::random& r, sizes which) {
+        irg::clip_vertex<T, 4> corners[3];
+        irg::clip_volume<T> volume;
+        volume.guard_x = volume.guard_y = static_cast<T>(1 + 7 * r.unit());
+        E largest = 0;
+        for (auto& v : corners)
+          for (int k = 0; k < 4; ++k) {
+            v.position[k] = v.attributes[k] = number<T>(r, which) / 8;
+            if (largest < abs(of(v.position[k]))) largest = abs(of(v.position[k]));
+          }
+        double worst = 0;
+        const E guard = of(volume.guard_x), smallest = of(std::numeric_limits<T>::denorm_min());
+        const E bound = guard * (largest * of(8 * std::numeric_limits<T>::epsilon()) + smallest * 2);
+        for (const auto& v : clip_homogeneous(corners, volume))
+          for (int k = 0; k < 4; ++k) {
+            const test::quotients::near_number off(of(v.position[k]) - of(v.attributes[k])), unit(bound);
+            worst = std::fmax(worst, std::fabs(std::ldexp(off.value / unit.value, off.exponent - unit.exponent)));
+          }
+        return worst;
+      },
+      3000);
+}
+
+#endif

@@ -8,6 +8,7 @@
 
 #include <irg/geometry/clip_line_liang_barsky.hpp>
 
+#include "geometry/mixed_cases.hpp"
 #include "line_clip_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/rational.hpp"
@@ -138,3 +139,37 @@ TEST_CASE("clip_line_cyrus_beck: decisions and points in rationals, on lattices 
   CHECK(visible > 1500);
   CHECK(touching > 50);
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("clip_line_cyrus_beck: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("clip_line_cyrus_beck"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 2, 5>(r, which);
+        const std::array<point<T, 2>, 3> region{p[2], p[3], p[4]};
+        const auto got = clip_line_cyrus_beck(p[0], p[1], region);
+        const int turn = twice_area(p[2], p[3], p[4]).sign();
+        quotient low{E(0), E(1)}, high{E(1), E(1)};
+        bool visible = turn != 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const auto &from = region[i], &to = region[(i + 1) % 3];
+          const E at_a = twice_area(from, to, p[0]) * turn, at_b = twice_area(from, to, p[1]) * turn;
+          if (at_a.sign() < 0 && at_b.sign() < 0) visible = false;
+          if (at_a.sign() < 0 && at_b.sign() >= 0) low = std::max(low, quotient{-at_a, at_b - at_a});
+          if (at_a.sign() >= 0 && at_b.sign() < 0) high = std::min(high, quotient{at_a, at_a - at_b});
+        }
+        visible = visible && !(high < low);
+        if (visible != got.has_value()) return wrong;
+        if (!got) return 0.0;
+        const double first =
+            std::fmax(quotient_error(got->t_first, low.p, low.q), off_between(got->first, p[0], p[1], low));
+        const double second =
+            std::fmax(quotient_error(got->t_second, high.p, high.q), off_between(got->second, p[0], p[1], high));
+        return std::fmax(first, second);
+      },
+      2000);
+}
+
+#endif

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "geometry/nearest_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/rational.hpp"
@@ -176,5 +177,105 @@ TEST_CASE("closest_point: half an ulp from the exact nearest point, all magnitud
     CHECK(sum.worst <= 0.501);
     CHECK(sum.wrong == 0);
   }
+}
+
+TEST_CASE_TEMPLATE("closest points: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("closest_point_on_line and on_segment"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 3>(r, which);
+        const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]);
+        const auto on_line = closest_point_on_line(p[0], p[1], p[2]);
+        const auto on_segment = closest_point_on_segment(p[0], p[1], p[2]);
+        const segment_foot foot(a, b, c);
+        double worst = off_between(on_segment->at, p[0], p[1], foot.t);
+        worst = std::fmax(worst, quotient_error(on_segment->t, foot.t.p, foot.t.q));
+        if (foot.t.p.sign() == 0 && !(on_segment->at == p[0])) return wrong;
+        if (foot.t.p == foot.t.q && !(on_segment->at == p[1])) return wrong;
+        if (p[0] == p[1]) return on_line ? wrong : worst;
+        const quotient t{dot(b - a, c - a), dot(b - a, b - a)};
+        worst = std::fmax(worst, quotient_error(on_line->t, t.p, t.q));
+        return std::fmax(worst, off_between(on_line->at, p[0], p[1], t));
+      },
+      1000);
+  sweep(
+      named<T>("closest_point_on_plane"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto c = numbers<T, 7>(r, which);
+        const auto e = rationals(c);
+        const auto got = closest_point_on_plane(irg::plane<T>{c[0], c[1], c[2], c[3]}, point<T, 3>{c[4], c[5], c[6]});
+        const E squared = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+        const E height = e[0] * e[4] + e[1] * e[5] + e[2] * e[6] + e[3];
+        if (got.has_value() != (squared.sign() != 0)) return wrong;
+        double worst = 0;
+        for (std::size_t k = 0; got && k < 3; ++k)
+          worst = std::fmax(worst,
+                            quotient_error((*got)[static_cast<int>(k)], e[4 + k] * squared - e[k] * height, squared));
+        return worst;
+      },
+      3000);
+  sweep(
+      named<T>("closest_point_on_triangle"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        const auto got = closest_point_on_triangle(p[0], p[1], p[2], p[3]);
+        const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]);
+        const triangle_nearest want(a, b, c, exactly(p[3]));
+        double worst = 0;
+    // A degenerate triangle's weights are not the only ones.
+        const bool is_triangle = gram(b - a, c - a).sign() > 0;
+        for (std::size_t i = 0; i < 3 && is_triangle; ++i)
+          worst = std::fmax(worst, quotient_error(got->weights[i], want.weight[i], want.whole));
+        for (int k = 0; k < 3; ++k) {
+          const E at = of(p[0][k]) * want.weight[0] + of(p[1][k]) * want.weight[1] + of(p[2][k]) * want.weight[2];
+          worst = std::fmax(worst, quotient_error(got->at[k], at, want.whole));
+        }
+        return worst;
+      },
+      1000);
+  sweep(
+      named<T>("closest_points_of_lines"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        const auto got = closest_points_of_lines(p[0], p[1], p[2], p[3]);
+        if (p[0] == p[1] || p[2] == p[3]) return got ? wrong : 0.0;
+        const lines_foot want(exactly(p[0]), exactly(p[1]), exactly(p[2]), exactly(p[3]));
+        if (want.t.q.sign() == 0) return got->first == p[0] ? 0.0 : wrong;
+        const double first =
+            std::fmax(quotient_error(got->t, want.t.p, want.t.q), off_between(got->first, p[0], p[1], want.t));
+        const double second =
+            std::fmax(quotient_error(got->s, want.s.p, want.s.q), off_between(got->second, p[2], p[3], want.s));
+        return std::fmax(first, second);
+      },
+      1000);
+  // Inside of both segments, or an end and the point nearest to it: an end as near as any, but for 2^-60.
+  sweep(
+      named<T>("closest_points_of_segments"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        const auto got = closest_points_of_segments(p[0], p[1], p[2], p[3]);
+        const quotient least = squared_distance_of_segments(p);
+        if (!got) return wrong;
+        if (least.p.sign() == 0) return got->first == got->second ? 0.0 : wrong;
+        const place<3> e[4] = {exactly(p[0]), exactly(p[1]), exactly(p[2]), exactly(p[3])};
+        const lines_foot lines(e[0], e[1], e[2], e[3]);
+        const auto off = [&](const quotient& t, const quotient& s) {
+          const double first = std::fmax(quotient_error(got->t, t.p, t.q), off_between(got->first, p[0], p[1], t));
+          const double second = std::fmax(quotient_error(got->s, s.p, s.q), off_between(got->second, p[2], p[3], s));
+          return std::fmax(first, second);
+        };
+        const quotient enough{least.p * (E(1) + E(0x1p-60)), least.q};
+        double best = lines.is_inside() ? off(lines.t, lines.s) : wrong;
+        for (std::size_t i = 0; i < 4; ++i) {
+          const std::size_t other = i < 2 ? 2 : 0;
+          const segment_foot foot(e[other], e[other + 1], e[i]);
+          if (enough < foot.squared) continue;
+          const quotient end{E(static_cast<int>(i % 2)), E(1)};
+          best = std::fmin(best, i < 2 ? off(end, foot.t) : off(foot.t, end));
+        }
+        return best;
+      },
+      1000);
 }
 #endif

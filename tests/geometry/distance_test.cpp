@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "geometry/nearest_cases.hpp"
 #include "support/check_both.hpp"
 
@@ -126,5 +127,65 @@ TEST_CASE("distance: half an ulp from the exact one, all magnitudes") {
   MESSAGE("worst ", plane, " and ", space, " ulp");
   CHECK(plane <= 0.501);
   CHECK(space <= 0.501);
+}
+
+TEST_CASE_TEMPLATE("distances: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  const auto off = [](const std::optional<T>& got, const quotient& squared) {
+    if (got.has_value() == (squared.q.sign() == 0)) return wrong;
+    return got ? root_error(*got, squared.p, squared.q) : 0.0;
+  };
+  const auto of_dimension = [&]<int N>(const char* where, std::integral_constant<int, N>) {
+    sweep(
+        named<T>("distance of points, to lines and segments") + where, 0.501,
+        [&](test::random& r, sizes which) {
+          const auto p = points<T, N, 3>(r, which);
+          const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]);
+          const double apart = off(distance(p[0], p[1]), {dot(b - a, b - a), E(1)});
+          const double line = off(distance_to_line(p[0], p[1], p[2]), {gram(b - a, c - a), dot(b - a, b - a)});
+          const double segment = off(distance_to_segment(p[0], p[1], p[2]), segment_foot(a, b, c).squared);
+          return std::fmax(apart, std::fmax(line, segment));
+        },
+        1500);
+    sweep(
+        named<T>("distance_of_segments") + where, 0.501,
+        [&](test::random& r, sizes which) {
+          const auto p = points<T, N, 4>(r, which);
+          return off(distance_of_segments(p[0], p[1], p[2], p[3]), squared_distance_of_segments(p));
+        },
+        1000);
+  };
+  of_dimension(" in the plane", std::integral_constant<int, 2>());
+  of_dimension(" in space", std::integral_constant<int, 3>());
+  sweep(
+      named<T>("signed_distance"), 0.501,
+      [&](test::random& r, sizes which) {
+        const auto c = numbers<T, 7>(r, which);
+        const auto e = rationals(c);
+        const auto with_sign = [&](const std::optional<T>& got, const E& height, const E& squared) {
+          if (got && sign_of(*got) != height.sign() && *got != 0) return wrong;
+          return off(got ? std::optional(std::fabs(*got)) : got, {height * height, squared});
+        };
+        const double line = with_sign(signed_distance(irg::line<T>{c[0], c[1], c[2]}, point<T, 2>{c[3], c[4]}),
+                                      e[0] * e[3] + e[1] * e[4] + e[2], e[0] * e[0] + e[1] * e[1]);
+        const E height = e[0] * e[4] + e[1] * e[5] + e[2] * e[6] + e[3];
+        return std::fmax(
+            line, with_sign(signed_distance(irg::plane<T>{c[0], c[1], c[2], c[3]}, point<T, 3>{c[4], c[5], c[6]}),
+                            height, e[0] * e[0] + e[1] * e[1] + e[2] * e[2]));
+      },
+      3000);
+  sweep(
+      named<T>("distance_to_triangle and distance_of_lines"), 0.501,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]), d = exactly(p[3]);
+        const double triangle = off(distance_to_triangle(p[0], p[1], p[2], p[3]), triangle_nearest(a, b, c, d).squared);
+        const lines_foot lines(a, b, c, d);
+        const auto got = distance_of_lines(p[0], p[1], p[2], p[3]);
+        if (p[0] == p[1] || p[2] == p[3]) return got ? wrong : triangle;
+        const quotient parallel{gram(b - a, c - a), dot(b - a, b - a)};
+        return std::fmax(triangle, off(got, lines.t.q.sign() == 0 ? parallel : lines.squared));
+      },
+      1000);
 }
 #endif

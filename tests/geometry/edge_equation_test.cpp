@@ -6,6 +6,7 @@
 
 #include <irg/math/vec.hpp>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/rational.hpp"
 
@@ -65,3 +66,23 @@ TEST_CASE("edge_through: of points of short integers") {
   using S = irg::point<short, 2>;
   CHECK_BOTH(irg::edge_through(S{1, 1}, S{4, 3}) == irg::edge_equation<short>{-2, 3, -1});
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("edge_through: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("edge_through"), 1,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 2, 2>(r, which);
+        const auto e = irg::edge_through(p[0], p[1]);
+        const E c = of(p[0].x) * of(p[1].y) - of(p[1].x) * of(p[0].y);
+        if (e.a != test::nearest<T>(of(p[0].y) - of(p[1].y)) || e.b != test::nearest<T>(of(p[1].x) - of(p[0].x)))
+          return wrong;
+        const bool underflows = abs(c) < of(std::numeric_limits<T>::min());
+        return error_in_ulp(e.c, c) - (underflows ? 2 : 0);
+      },
+      3000);
+}
+
+#endif

@@ -40,40 +40,19 @@
 #include <utility>
 #include <vector>
 
-#ifdef IRG_HAVE_GLM
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-#endif
-#ifdef IRG_HAVE_EIGEN
-#include <Eigen/Core>
-#endif
-#ifdef IRG_HAVE_OPENCV
-#include <opencv2/core.hpp>
-#endif
-
 #include "support/archetypes.hpp"
+#include "support/own_types.hpp"
 #include "support/random.hpp"
 
 #include <doctest/doctest.h>
 
 namespace {
 
-struct plain2 {
-  double x, y;
-};
-struct plain3 {
-  double x, y, z;
-};
-struct plain4 {
-  double x, y, z, w;
-};
-struct plain_cell {
-  int x, y;
-};
-struct plain_plane {
-  double a, b, c, d;
-};
+using plain2 = own::plain2<double>;
+using plain3 = own::plain3<double>;
+using plain4 = own::plain4<double>;
+using own::plain_cell;
+using own::plain_plane;
 
 struct no_sink {
   template <class T>

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
 #include "support/rational.hpp"
@@ -152,5 +153,31 @@ TEST_CASE("intersect_plane_line: relations and positions against rationals, all 
     CHECK(sum.worst <= 0.501);
     CHECK(sum.crossings > 300);
   }
+}
+
+TEST_CASE_TEMPLATE("intersect_plane_line: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("intersect_plane_line, parametric"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 5>(r, which);
+        const place<3> u = exactly(p[0]), v = exactly(p[1]), o = exactly(p[2]), a = exactly(p[3]), w = exactly(p[4]);
+        const auto got = intersect_plane_line(irg::parametric_plane<T>{to_vec(p[0]), to_vec(p[1]), p[2]},
+                                              irg::parametric_line<T, 3>{p[3], to_vec(p[4])});
+        // s1 u + s2 v - t w = a - o
+        const std::array<std::array<E, 3>, 3> rows{{{u[0], v[0], w[0]}, {u[1], v[1], w[1]}, {u[2], v[2], w[2]}}};
+        const E whole = determinant(rows[0], rows[1], rows[2]);
+        using irg::flat_relation;
+        if ((got.relation == flat_relation::crossing) != (whole.sign() != 0)) return wrong;
+        if (whole.sign() == 0) return 0.0;
+        const E t = -replaced(rows, a - o, 2);
+        const double first = quotient_error(got.s1, replaced(rows, a - o, 0), whole);
+        const double second = quotient_error(got.s2, replaced(rows, a - o, 1), whole);
+        double worst = std::fmax(std::fmax(first, second), quotient_error(got.t, t, whole));
+        for (std::size_t k = 0; k < 3; ++k)
+          worst = std::fmax(worst, quotient_error(got.at[static_cast<int>(k)], a[k] * whole + w[k] * t, whole));
+        return worst;
+      },
+      1000);
 }
 #endif

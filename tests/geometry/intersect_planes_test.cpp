@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
 #include "support/rational.hpp"
@@ -131,5 +132,30 @@ TEST_CASE("intersect_planes: positions against rationals, all magnitudes") {
   CHECK(worst <= 0.501);
   CHECK(points > 400);
   CHECK(lines > 400);
+}
+
+TEST_CASE_TEMPLATE("intersect_planes: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("intersect_planes, the line"), 0.501,
+      [](test::random& r, sizes which) {
+        auto c = numbers<T, 8>(r, which);
+        if (r.integer(0, 2) == 0) c[4] = c[0], c[5] = c[1];
+        const auto e = rationals(c);
+        const std::array<E, 3> n{e[0], e[1], e[2]}, m{e[4], e[5], e[6]}, u = minors(n, m);
+        const auto got = intersect_planes(irg::plane<T>{c[0], c[1], c[2], c[3]}, irg::plane<T>{c[4], c[5], c[6], c[7]});
+        if ((got.relation == irg::flat_relation::crossing) != !all_zero(u)) return wrong;
+        if (all_zero(u)) return 0.0;
+        const auto& along = got.line.direction;
+        double worst = error_together<T, 3>({along.x, along.y, along.z}, u, 3);
+        const E whole = determinant(n, m, u);
+        const std::array<std::array<E, 3>, 3> rows{{n, m, u}};
+        for (std::size_t k = 0; k < 3; ++k) {
+          const E over = replaced(rows, {-e[3], -e[7], E(0)}, k);
+          worst = std::fmax(worst, quotient_error(got.line.origin[static_cast<int>(k)], over, whole));
+        }
+        return worst;
+      },
+      1000);
 }
 #endif

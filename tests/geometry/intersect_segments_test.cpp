@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
 #include "support/rational.hpp"
@@ -154,5 +155,25 @@ TEST_CASE("intersect_segments: touching or not against signs of areas, all magni
   CHECK(wrong == 0);
   CHECK(worst <= 0.501);
   CHECK(points > 500);
+}
+
+TEST_CASE_TEMPLATE("intersect_segments: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("intersect_segments"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 2, 4>(r, which);
+        const auto got = intersect_segments(p[0], p[1], p[2], p[3]);
+        const auto area = [&](std::size_t i, std::size_t j, std::size_t k) { return twice_area(p[i], p[j], p[k]); };
+        const E c = area(0, 1, 2), d = area(0, 1, 3), a = area(2, 3, 0), b = area(2, 3, 1);
+        if (c == d) return 0.0;  // parallel
+        const bool meet = c.sign() * d.sign() <= 0 && a.sign() * b.sign() <= 0;
+        if (meet != (got.relation == irg::segment_relation::point)) return wrong;
+        if (!meet) return 0.0;
+        const quotient t{a, a - b}, s{c, c - d};
+        const double parameters = std::fmax(quotient_error(got.t, t.p, t.q), quotient_error(got.s, s.p, s.q));
+        return std::fmax(parameters, off_between(got.first, p[0], p[1], t));
+      },
+      3000);
 }
 #endif

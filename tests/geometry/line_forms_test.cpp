@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -66,3 +67,32 @@ TEST_CASE("line_forms: there and back, in rationals") {
     CHECK((back->a == l.a && back->b == l.b && back->c == l.c));
   }
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("implicit_line_of, parametric_line_of: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  using line = irg::line<T>;
+  sweep(
+      named<T>("implicit_line_of"), 0.501,
+      [&](test::random& r, sizes which) {
+        const auto c = numbers<T, 4>(r, which);
+        const auto e = rationals(c);
+        return off_from_line<T>(implicit_line_of(irg::parametric_line<T, 2>{{c[0], c[1]}, {c[2], c[3]}}),
+                                minors({e[0], e[1], E(1)}, {e[2], e[3], E(0)}));
+      },
+      3000);
+  sweep(
+      named<T>("parametric_line_of"), 0.5,
+      [&](test::random& r, sizes which) {
+        const auto c = numbers<T, 3>(r, which);
+        const auto e = rationals(c);
+        const auto got = parametric_line_of(line{c[0], c[1], c[2]});
+        if (!got) return c[0] == 0 && c[1] == 0 ? 0.0 : wrong;
+        const bool on_y = std::fabs(c[0]) < std::fabs(c[1]);
+        return quotient_error(got->origin[on_y ? 1 : 0], -e[2], e[on_y ? 1 : 0]);
+      },
+      3000);
+}
+
+#endif

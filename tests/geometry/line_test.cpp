@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
 #include "support/rational.hpp"
@@ -105,3 +106,33 @@ TEST_CASE("line_through: of points of short integers") {
   using S = irg::point<short, 2>;
   CHECK_BOTH(*irg::line_through(S{1, 1}, S{4, 3}) == irg::line<short>{-2, 3, -1});
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("line_through, common_point: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  using line = irg::line<T>;
+  sweep(
+      named<T>("line_through"), 0.501,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 2, 2>(r, which);
+        return off_from_line<T>(line_through(p[0], p[1]),
+                                minors({of(p[0].x), of(p[0].y), E(1)}, {of(p[1].x), of(p[1].y), E(1)}));
+      },
+      3000);
+  sweep(
+      named<T>("line_through and common_point, homogeneous"), 0.501,
+      [&](test::random& r, sizes which) {
+        auto c = numbers<T, 6>(r, which);
+        if (r.integer(0, 3) == 0) c[4] = c[1], c[3] = c[0];
+        const irg::hpoint<T, 2> p{c[0], c[1], c[2]}, q{c[3], c[4], c[5]};
+        const auto e = rationals(c);
+        const auto want = minors({e[0], e[1], e[2]}, {e[3], e[4], e[5]});
+        const auto common = common_point(line{c[0], c[1], c[2]}, line{c[3], c[4], c[5]});
+        const auto as_line = common ? std::optional(line{common->x, common->y, common->z}) : std::nullopt;
+        return std::fmax(off_from_line<T>(line_through(p, q), want), off_from_line<T>(as_line, want));
+      },
+      3000);
+}
+
+#endif

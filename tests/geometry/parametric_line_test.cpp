@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/endless_number.hpp"
 #include "support/exact.hpp"
@@ -89,5 +90,19 @@ TEST_CASE("point_between: half an ulp from the exact point") {
       worst = std::fmax(worst, test::error_in_ulp(point_between(P2{a, 0}, P2{b, 0}, t).x, want));
     }
   CHECK(worst <= 0.501);
+}
+
+TEST_CASE_TEMPLATE("point_between: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("point_between"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 2, 2>(r, which);
+        const T t = r.integer(0, 1) == 0 ? static_cast<T>(r.unit()) : number<T>(r, which);
+        const auto got = point_between(p[0], p[1], t);
+        const auto along = [&](int k) { return of(p[0][k]) * (E(1) - of(t)) + of(p[1][k]) * of(t); };
+        return std::fmax(error_in_ulp(got.x, along(0)), error_in_ulp(got.y, along(1)));
+      },
+      3000);
 }
 #endif

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
 #include "support/rational.hpp"
@@ -99,5 +100,26 @@ TEST_CASE("parametric_plane: parameters are half an ulp from the exact ones") {
   CHECK(wrong == 0);
   CHECK(worst <= 0.501);
   CHECK(some > 500);
+}
+
+TEST_CASE_TEMPLATE("implicit_plane_of, parameters_of: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("implicit_plane_of and parameters_of"), 0.501,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        const irg::parametric_plane<T> given{to_vec(p[0]), to_vec(p[1]), p[2]};
+        const auto u = exactly(p[0]), v = exactly(p[1]), o = exactly(p[2]), w = exactly(p[3]) - o;
+        const auto n = minors(u, v);
+        const double worst = off_from_plane<T>(implicit_plane_of(given), {n[0], n[1], n[2], -determinant(u, v, o)});
+        const auto at = parameters_of(given, p[3]);
+        const E whole = gram(u, v);
+        if (at.has_value() != (whole.sign() != 0)) return wrong;
+        if (!at) return worst;
+        const double first = quotient_error(at->s1, dot(u, w) * dot(v, v) - dot(v, w) * dot(u, v), whole);
+        const double second = quotient_error(at->s2, dot(v, w) * dot(u, u) - dot(u, w) * dot(u, v), whole);
+        return std::fmax(worst, std::fmax(first, second));
+      },
+      1500);
 }
 #endif

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -75,3 +76,35 @@ TEST_CASE("plane_by_inversion: the equations hold in rationals") {
   CHECK(wrong == 0);
   CHECK(planes > 300);
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("plane_through, plane_by_inversion: homogeneous numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("plane_through, homogeneous, and plane_by_inversion"), 0.501,
+      [&](test::random& r, sizes which) {
+        auto c = numbers<T, 13>(r, which);
+        if (r.integer(0, 3) == 0) c[11] = c[7] = c[3] = 1;
+        const irg::hpoint<T, 3> p{c[0], c[1], c[2], c[3]}, q{c[4], c[5], c[6], c[7]}, s{c[8], c[9], c[10], c[11]};
+        const auto e = rationals(c);
+        const auto want =
+            plane_coefficients({e[0], e[1], e[2], e[3]}, {e[4], e[5], e[6], e[7]}, {e[8], e[9], e[10], e[11]});
+        const auto inverted = plane_by_inversion(p, q, s, c[12]);
+        using irg::inversion_outcome;
+        const bool collinear = want[0].sign() == 0 && want[1].sign() == 0 && want[2].sign() == 0;
+        const auto outcome = c[12] == 0            ? inversion_outcome::invalid
+                             : want[3].sign() != 0 ? inversion_outcome::plane
+                             : collinear           ? inversion_outcome::collinear
+                                                   : inversion_outcome::through_origin;
+        if (inverted.status != outcome) return wrong;
+        double worst = off_from_plane<T>(plane_through(p, q, s), want);
+        if (outcome != inversion_outcome::plane) return worst;
+        const T got[3] = {inverted.value.a, inverted.value.b, inverted.value.c};
+        for (std::size_t k = 0; k < 3; ++k) worst = std::fmax(worst, quotient_error(got[k], want[k] * e[12], want[3]));
+        return inverted.value.d == c[12] ? worst : wrong;
+      },
+      3000);
+}
+
+#endif

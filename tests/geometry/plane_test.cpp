@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -153,3 +154,29 @@ TEST_CASE("plane: degenerate and hostile") {
   CHECK(!plane_through(D{inf, inf, inf}, D{1, 0, 0}, D{0, 1, 0}));
   CHECK(side_of(plane<double>{nan, 0, 0, 0}, D{1, 1, 1}) == side::on);
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("line_value, plane_value: numbers of all sizes, of their bounds", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("line_value and plane_value"), 1,
+      [](test::random& r, sizes which) {
+        const auto c = numbers<T, 7>(r, which);
+        const auto e = rationals(c);
+        const E terms[4] = {e[0] * e[4], e[1] * e[5], e[2] * e[6], e[3]};
+        bool fits = true;
+        E sum = 0, size = 0;
+        for (const E& term : terms) {
+          fits = fits && in_range<T>(term);
+          sum = sum + term, size = size + abs(term);
+        }
+        if (!fits) return 0.0;
+        const T in_space = plane_value(irg::plane<T>{c[0], c[1], c[2], c[3]}, point<T, 3>{c[4], c[5], c[6]});
+        const T in_plane = line_value(irg::line<T>{c[0], c[1], c[3]}, point<T, 2>{c[4], c[5]});
+        return std::fmax(share_of(in_space, sum, 4, size), share_of(in_plane, sum - terms[2], 3, size - abs(terms[2])));
+      },
+      3000);
+}
+
+#endif

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
 #include "support/rational.hpp"
@@ -159,3 +160,29 @@ TEST_CASE("plane_through: of points of short integers") {
   CHECK_BOTH(*irg::plane_through(S{0, 0, 1}, S{2, 0, 1}, S{0, 3, 1}) == irg::plane<short>{0, 0, 6, -6});
   CHECK_BOTH(*irg::plane_through_accurate(S{0, 0, 1}, S{2, 0, 1}, S{0, 3, 1}) == irg::plane<short>{0, 0, 6, -6});
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("plane_through_accurate, plane_at: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("plane_through_accurate"), 0.501,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 3, 3>(r, which);
+        const auto row = [&](std::size_t i) { return std::array<E, 4>{of(p[i].x), of(p[i].y), of(p[i].z), E(1)}; };
+        return off_from_plane<T>(plane_through_accurate(p[0], p[1], p[2]), plane_coefficients(row(0), row(1), row(2)));
+      },
+      3000);
+  sweep(
+      named<T>("plane_at"), 0.501,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 3, 2>(r, which);
+        const auto got = plane_at(p[0], to_vec(p[1]));
+        const E d = -dot(exactly(p[0]), exactly(p[1]));
+        if (!got) return p[1] == point<T, 3>{0, 0, 0} ? 0.0 : wrong;
+        return got->a == p[1].x && got->b == p[1].y && got->c == p[1].z ? error_in_ulp(got->d, d) : wrong;
+      },
+      3000);
+}
+
+#endif

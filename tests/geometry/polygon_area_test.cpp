@@ -11,6 +11,7 @@
 
 #include <irg/math/vec.hpp>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -134,6 +135,46 @@ TEST_CASE("polygon_area: against rationals, at offsets up to 10^15, nearly flat"
   const int trials = std::getenv("IRG_RELEASE_TIER") ? 300'000 : 5000;
   against_rationals<double>(91, trials);
   against_rationals<float>(92, trials);
+}
+
+TEST_CASE_TEMPLATE("polygon_area: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("polygon_area"), 0.51,
+      [&](test::random& r, sizes which) {
+        const auto ring = any_ring<T>(r, which);
+        return error_in_ulp(irg::polygon_area(ring), twice_area(ring).times_power_of_two(-1));
+      },
+      2000);
+  sweep(
+      named<T>("polygon_area_exact"), 0,
+      [&](test::random& r, sizes which) {
+        const auto ring = any_ring<T>(r, which);
+        return irg::polygon_area_exact(ring) == test::nearest<T>(twice_area(ring).times_power_of_two(-1)) ? 0.0 : wrong;
+      },
+      2000);
+  sweep(
+      named<T>("polygon_area_fast and _textbook"), 1,
+      [](test::random& r, sizes) {
+        std::vector<point<T, 2>> ring(static_cast<std::size_t>(r.integer(3, 6)));
+        const int reach = sizeof(T) == 4 ? 30 : 250;
+        for (auto& p : ring)
+          for (int k = 0; k < 2; ++k)
+            p[k] = static_cast<T>(std::ldexp(2 * r.unit() - 1, static_cast<int>(r.integer(-reach, reach))));
+        E triangles = 0, products = 0;  // in size
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto &p = ring[i], &q = after(ring, i);
+          products = products + abs(of(p.x) * of(q.y)) + abs(of(q.x) * of(p.y));
+          const E ux = of(p.x) - of(ring[0].x), uy = of(p.y) - of(ring[0].y);
+          const E vx = of(q.x) - of(ring[0].x), vy = of(q.y) - of(ring[0].y);
+          triangles = triangles + (abs(ux * vy) + abs(uy * vx)).times_power_of_two(-1);
+        }
+        const E area = twice_area(ring).times_power_of_two(-1);
+        const auto n = static_cast<double>(ring.size());
+        return std::fmax(share_of(irg::polygon_area_fast(ring), area, n + 4, triangles),
+                         share_of(irg::textbook::polygon_area(ring), area, n + 1, products));
+      },
+      3000);
 }
 #endif
 

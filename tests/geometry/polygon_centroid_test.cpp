@@ -10,6 +10,7 @@
 
 #include <irg/math/vec.hpp>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -145,3 +146,50 @@ TEST_CASE("polygon_perimeter: all rings; within 2 ulp; any exponent") {
 }
 
 }  // namespace
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("polygon_centroid, polygon_perimeter: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  test::real sum, x, y;
+  sweep(
+      named<T>("polygon_centroid"), 0.52,
+      [&](test::random& r, sizes which) {
+        const auto ring = any_ring<T>(r, which);
+        const E twice = twice_area(ring);
+        const auto got = irg::polygon_centroid(ring);
+        if (got.has_value() != (twice.sign() != 0)) return wrong;
+        if (!got) return 0.0;
+        E moment[2] = {0, 0};
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto &p = ring[i], &q = after(ring, i);
+          const E dx = of(p.x) - of(q.x), dy = of(q.y) - of(p.y);
+          moment[0] = moment[0] + dy * (of(p.x) * of(p.x) + of(p.x) * of(q.x) + of(q.x) * of(q.x));
+          moment[1] = moment[1] + dx * (of(p.y) * of(p.y) + of(p.y) * of(q.y) + of(q.y) * of(q.y));
+        }
+        double worst = 0;
+        for (int k = 0; k < 2; ++k) {
+          worst = std::fmax(worst, quotient_error((*got)[k], moment[k], twice * 3));
+        }
+        return worst;
+      },
+      2000);
+  sweep(
+      named<T>("polygon_perimeter"), 2,
+      [&](test::random& r, sizes which) {
+        const auto ring = any_ring<T>(r, which);
+        mpfr_set_zero(sum, 1);
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto &p = ring[i], &q = after(ring, i);
+          if (!std::isfinite(q.x - p.x) || !std::isfinite(q.y - p.y)) return 0.0;
+          mpfr_set_d(x, static_cast<double>(q.x), MPFR_RNDN), mpfr_sub_d(x, x, static_cast<double>(p.x), MPFR_RNDN);
+          mpfr_set_d(y, static_cast<double>(q.y), MPFR_RNDN), mpfr_sub_d(y, y, static_cast<double>(p.y), MPFR_RNDN);
+          mpfr_hypot(x, x, y, MPFR_RNDN);
+          mpfr_add(sum, sum, x, MPFR_RNDN);
+        }
+        return test::ulp_error(irg::polygon_perimeter(ring), sum);
+      },
+      2000);
+}
+
+#endif

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/mixed_cases.hpp"
 #include "geometry/nearest_cases.hpp"
 #include "support/check_both.hpp"
 
@@ -155,5 +156,61 @@ TEST_CASE("sphere_through: half an ulp from the exact centre and radius, all mag
     MESSAGE("worst ", w, " ulp");
     CHECK(w <= 0.501);
   }
+}
+
+namespace {
+
+using namespace test::mixed;
+
+// The sphere through points that are not in general position otherwise, by the equations of its centre: 2 (p_i - p_0) x
+// = |p_i|^2 - |p_0|^2, and in space for a circle that it lies in the plane of the three.
+template <class T, int N, std::size_t Count>
+double off_from_sphere(test::random& r, sizes which) {
+  constexpr std::size_t D = static_cast<std::size_t>(N);
+  const auto p = points<T, N, Count>(r, which);
+  const auto got = [&] {
+    if constexpr (Count == 2) return sphere_through(p[0], p[1]);
+    if constexpr (Count == 3) return sphere_through(p[0], p[1], p[2]);
+    if constexpr (Count == 4) return sphere_through(p[0], p[1], p[2], p[3]);
+  }();
+  const auto o = exactly(p[0]);
+  place<D> over;  // the centre times whole
+  E whole = 2;
+  if constexpr (Count == 2) {
+    const auto q = exactly(p[1]);
+    for (std::size_t k = 0; k < D; ++k) over[k] = o[k] + q[k];
+    if (p[0] == p[1]) whole = 0;
+  } else {
+    std::array<std::array<E, D>, D> rows;
+    std::array<E, D> right, unit{};
+    for (std::size_t i = 0; i + 1 < Count; ++i) {
+      const auto q = exactly(p[i + 1]);
+      for (std::size_t k = 0; k < D; ++k) rows[i][k] = (q[k] - o[k]) * 2;
+      right[i] = dot(q, q) - dot(o, o);
+    }
+    if constexpr (N == 3 && Count == 3) rows[2] = minors(rows[0], rows[1]), right[2] = dot(rows[2], o);
+    for (std::size_t i = 0; i < D; ++i) unit[i] = rows[i][0];
+    whole = replaced(rows, unit, 0);
+    for (std::size_t k = 0; k < D; ++k) over[k] = replaced(rows, right, k);
+  }
+  if (got.has_value() != (whole.sign() != 0)) return wrong;
+  if (!got) return 0;
+  double worst = 0;
+  place<D> way;
+  for (std::size_t k = 0; k < D; ++k) {
+    worst = std::fmax(worst, quotient_error(got->centre[static_cast<int>(k)], over[k], whole));
+    way[k] = over[k] - o[k] * whole;
+  }
+  return std::fmax(worst, root_error(got->radius, dot(way, way), whole * whole));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("sphere_through: numbers of all sizes", T, double, float) {
+  sweep(named<T>("sphere_through, 2 points of the plane"), 0.501, off_from_sphere<T, 2, 2>, 1000);
+  sweep(named<T>("sphere_through, 3 points of the plane"), 0.501, off_from_sphere<T, 2, 3>, 1000);
+  sweep(named<T>("sphere_through, 2 points"), 0.501, off_from_sphere<T, 3, 2>, 1000);
+  sweep(named<T>("sphere_through, 3 points"), 0.501, off_from_sphere<T, 3, 3>, 500);
+  sweep(named<T>("sphere_through, 4 points"), 0.501, off_from_sphere<T, 3, 4>, 500);
 }
 #endif

@@ -13,6 +13,7 @@
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/math/vec.hpp>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/lattice_polygons.hpp"
 #include "support/rational.hpp"
@@ -241,3 +242,45 @@ TEST_CASE("split_polygon: neighbours get the same points, whichever way they run
 }
 
 }  // namespace
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("split_polygon: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("split_polygon"), 1,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 3>(r, which);
+        const auto c = numbers<T, 4>(r, which);
+        const auto e = rationals(c);
+        struct crossing {
+          point<T, 3> front, back;
+          quotient t;
+        };
+        std::vector<crossing> crossings;
+        double worst = 0;
+        const auto note = [&](const point<T, 3>& front, const point<T, 3>& back, T t) {
+          const auto height = [&](const point<T, 3>& q) {
+            return e[0] * of(q.x) + e[1] * of(q.y) + e[2] * of(q.z) + e[3];
+          };
+          const E at_front = height(front), at_back = height(back);
+          crossings.push_back({front, back, {at_front, at_front - at_back}});
+          worst = std::fmax(worst, quotient_error(t, at_front, at_front - at_back));
+          return front;
+        };
+        const std::vector<point<T, 3>> ring(p.begin(), p.end());
+        const auto parts = split_polygon(ring, irg::plane<T>{c[0], c[1], c[2], c[3]}, note);
+        for (const auto* side : {&parts.front, &parts.back})
+          for (const auto& part : *side)
+            for (const auto& q : part) {
+              if (q == p[0] || q == p[1] || q == p[2]) continue;
+              double off = wrong;
+              for (const auto& x : crossings) off = std::fmin(off, off_between(q, x.front, x.back, x.t));
+              worst = std::fmax(worst, off);
+            }
+        return worst;
+      },
+      2000);
+}
+
+#endif

@@ -6,6 +6,7 @@
 
 #include <irg/math/vec.hpp>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/ulp.hpp"
 
@@ -226,3 +227,54 @@ TEST_CASE("worst inputs of the accuracy study") {
   CHECK_BOTH(*needle >= exact_needle * (1 - 0x1p-51));
   CHECK_BOTH(*needle <= exact_needle * (1 + 0x1p-51));
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("triangle_area: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  // 1.1 ulp, and 1.6 where subnormal, as a share of the bound.
+  const auto share = [](T got, const E& twice) {
+    const bool is_subnormal = std::fabs(got) < std::numeric_limits<T>::min();
+    return off_from_area(got, twice) / (is_subnormal ? 1.6 : 1.1);
+  };
+  sweep(
+      named<T>("signed_triangle_area, of its bound"), 1,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 2, 3>(r, which);
+        return share(signed_triangle_area(p[0], p[1], p[2]), twice_area(p[0], p[1], p[2]));
+      },
+      3000);
+  sweep(
+      named<T>("triangle_area in the plane, of its bound"), 1,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 2, 3>(r, which);
+        return share(triangle_area(p[0], p[1], p[2]), abs(twice_area(p[0], p[1], p[2])));
+      },
+      3000);
+  sweep(
+      named<T>("triangle_area in space"), 2,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 3, 3>(r, which);
+        const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]);
+        return root_error(triangle_area(p[0], p[1], p[2]), gram(b - a, c - a), E(4));
+      },
+      3000);
+  sweep(
+      named<T>("triangle_area_from_sides"), 6,
+      [&](test::random& r, sizes which) {
+        T a = std::fabs(number<T>(r, which)), b = r.integer(0, 2) == 0 ? a : std::fabs(number<T>(r, which));
+        T c = r.integer(0, 1) == 0 ? a + b : std::fabs(number<T>(r, which));
+        if (r.integer(0, 1) == 0) c = std::nextafter(c, T(0));
+        if (r.integer(0, 1) == 0) std::swap(a, c);
+        if (!std::isfinite(a) || !std::isfinite(c)) return 0.0;
+        const auto got = irg::triangle_area_from_sides(a, b, c);
+        const E x = of(a), y = of(b), z = of(c);
+        const bool exists = !(x + y < z || y + z < x || z + x < y);
+        if (exists != got.has_value()) return wrong;
+        if (!got) return 0.0;
+        return root_error(*got, (x + y + z) * (x + y - z) * (x - y + z) * (y + z - x), E(16));
+      },
+      3000);
+}
+
+#endif

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "support/check_both.hpp"
+#include "support/own_types.hpp"
 
 using irg::box;
 using irg::point;
@@ -23,13 +24,6 @@ TEST_CASE("segment: ends, box, the way back") {
   CHECK_BOTH(enclosing_box(S{s.a, s.a}) == box<double, 3>{s.a, s.a});
   static_assert(std::is_aggregate_v<S> && sizeof(S) == 6 * sizeof(double));
 }
-
-#ifdef IRG_HAVE_EIGEN
-#include <Eigen/Core>
-#endif
-#ifdef IRG_HAVE_OPENCV
-#include <opencv2/core.hpp>
-#endif
 
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/clip_line_cohen_sutherland.hpp>

@@ -3,17 +3,8 @@
 
 #include <array>
 
-#ifdef IRG_HAVE_GLM
-#include <glm/glm.hpp>
-#endif
-#ifdef IRG_HAVE_EIGEN
-#include <Eigen/Core>
-#endif
-#ifdef IRG_HAVE_OPENCV
-#include <opencv2/core.hpp>
-#endif
-
 #include "support/check_both.hpp"
+#include "support/own_types.hpp"
 
 namespace {
 

@@ -10,16 +10,14 @@
 
 #include <irg/math/homogeneous.hpp>
 #include <irg/math/mat.hpp>
-#ifdef IRG_HAVE_GLM
-#include <glm/glm.hpp>
-#endif
 #ifdef IRG_HAVE_EIGEN
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #endif
 
 #include "support/archetypes.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
+#include "support/own_types.hpp"
 #include "support/random.hpp"
 
 namespace {

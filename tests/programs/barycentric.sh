@@ -17,9 +17,7 @@ where: $6"
   check "$1: $out" is "$out" "$expected"
 }
 
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in --input --list --size -o; do check "--help names $word" has "$out" "$word"; done
+helps --input --list --size -o
 
 # ---- the course's triangles and degenerate ones
 gives B1 "1 0 0 0 1 0 0 0 1 0.5 0.25 0.25" "0.5 0.25 0.25" "0.5 0.25 0.25" yes inside

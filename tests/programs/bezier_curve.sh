@@ -6,9 +6,7 @@
 . "$(dirname "$0")/../support/programs.sh" bezier_curve "$@"
 
 course="3 0 0 0 1 3 0 4 3 2 5 0 4"
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in --input --list --size --step --form -o; do check "--help names $word" has "$out" "$word"; done
+helps --input --list --size --step --form -o
 
 # ---- the course's curve
 run "$course"

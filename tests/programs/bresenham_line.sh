@@ -5,8 +5,8 @@
 # shellcheck source=tests/support/programs.sh
 . "$(dirname "$0")/../support/programs.sh" bresenham_line "$@"
 
-# answers "what" "expected lines" "input" arguments...
-answers() {
+# answers_silently "what" "expected lines" "input" arguments...
+answers_silently() {
   local what=$1 expected
   expected=$(printf '%b' "$2")
   shift 2
@@ -15,8 +15,8 @@ answers() {
   check "$what: nothing on standard error: $err" is "$err" ""
   check "$what: '$expected', not '$out'" is "$out" "$expected"
 }
-# refused "what" "end of the message" "input" arguments...
-refused() {
+# refuses "what" "end of the message" "input" arguments...
+refuses() {
   local what=$1 part=$2
   shift 2
   fails "$what" "$@"
@@ -24,22 +24,17 @@ refused() {
 }
 
 # ---- help
-run "" --help
-check "--help: exit 0" is "$status" 0
-check "--help: nothing on standard error" is "$err" ""
-for word in --input --method integer symmetric textbook seed --window --list -o --size 1048576; do
-  check "--help names $word" has "$out" "$word"
-done
+helps --input --method integer symmetric textbook seed --window --list -o --size 1048576
 
 # ---- the course's line
 course="10 10 200 100"
-answers "the course's line" "cells: 191\ndiffering: 0" "$course"
-answers "numbers on lines of their own, with comments" "cells: 191\ndiffering: 0" \
+answers_silently "the course's line" "cells: 191\ndiffering: 0" "$course"
+answers_silently "numbers on lines of their own, with comments" "cells: 191\ndiffering: 0" \
   "# from\n10\t10 # here\r\n\n200\n100# there\n"
-answers "a byte order mark, signs and leading zeros" "cells: 191\ndiffering: 0" "\xEF\xBB\xBF+10 010\r200 100"
-answers "textbook" "cells: 191\ndiffering: 0" "$course" --method textbook
-answers "symmetric" "cells: 191\ndiffering: 0" "$course" --method symmetric
-answers "seed lacks the last cell" "cells: 190\ndiffering: 1" "$course" --method seed
+answers_silently "a byte order mark, signs and leading zeros" "cells: 191\ndiffering: 0" "\xEF\xBB\xBF+10 010\r200 100"
+answers_silently "textbook" "cells: 191\ndiffering: 0" "$course" --method textbook
+answers_silently "symmetric" "cells: 191\ndiffering: 0" "$course" --method symmetric
+answers_silently "seed lacks the last cell" "cells: 190\ndiffering: 1" "$course" --method seed
 run "$course" --list
 check "--list: 191 lines" is "$(wc -l <.out)" 191
 check "--list: from" is "$(head -n 1 .out)" "10 10"
@@ -56,37 +51,37 @@ run "$course" --list --method seed
 check "seed: the same cells but the last" is "$out" "$(head -n 190 integer.txt)"
 
 # ---- octants, ties, degenerate lines
-answers "5 2" "0 0\n1 0\n2 1\n3 1\n4 2\n5 2" "0 0 5 2" --list
-answers "2 5" "0 0\n0 1\n1 2\n1 3\n2 4\n2 5" "0 0 2 5" --list
-answers "-2 5" "0 0\n0 1\n-1 2\n-1 3\n-2 4\n-2 5" "0 0 -2 5" --list
-answers "-5 2" "0 0\n-1 0\n-2 1\n-3 1\n-4 2\n-5 2" "0 0 -5 2" --list --method textbook
-answers "-5 -2" "0 0\n-1 0\n-2 -1\n-3 -1\n-4 -2\n-5 -2" "0 0 -5 -2" --list
-answers "-2 -5" "0 0\n0 -1\n-1 -2\n-1 -3\n-2 -4\n-2 -5" "0 0 -2 -5" --list --method textbook
-answers "2 -5" "0 0\n0 -1\n1 -2\n1 -3\n2 -4\n2 -5" "0 0 2 -5" --list
-answers "5 -2" "0 0\n1 0\n2 -1\n3 -1\n4 -2\n5 -2" "0 0 5 -2" --list
-answers "a point" "3 3" "3 3 3 3" --list
-answers "a point, symmetric" "cells: 1\ndiffering: 0" "3 3 3 3" --method symmetric
-answers "a point, textbook" "cells: 1\ndiffering: 0" "3 3 3 3" --method textbook
-answers "ties stay on the start's side" "0 0\n1 0\n2 1\n3 1\n4 2" "0 0 4 2" --list
-answers "and back" "4 2\n3 2\n2 1\n1 1\n0 0" "4 2 0 0" --list
-answers "the textbook's ties, where doubles are no help" "0 0\n1 1\n2 2\n3 2\n4 3\n5 4\n6 5" "0 0 6 5" --list --method textbook
-answers "symmetric, forward" "0 0\n1 0\n2 1\n3 1\n4 2\n5 2\n6 3\n7 3\n8 4" "0 0 8 4" --list --method symmetric
-answers "symmetric, back" "8 4\n7 3\n6 3\n5 2\n4 2\n3 1\n2 1\n1 0\n0 0" "8 4 0 0" --list --method symmetric
-answers "symmetric, left and up" "0 0\n-1 1\n-2 1\n-3 2\n-4 2\n-5 3\n-6 3\n-7 4\n-8 4" "0 0 -8 4" --list --method symmetric
-answers "symmetric, steep" "4 8\n3 7\n3 6\n2 5\n2 4\n1 3\n1 2\n0 1\n0 0" "4 8 0 0" --list --method symmetric
-answers "symmetric differs at its ties" "cells: 9\ndiffering: 4" "8 4 0 0" --method symmetric
+answers_silently "5 2" "0 0\n1 0\n2 1\n3 1\n4 2\n5 2" "0 0 5 2" --list
+answers_silently "2 5" "0 0\n0 1\n1 2\n1 3\n2 4\n2 5" "0 0 2 5" --list
+answers_silently "-2 5" "0 0\n0 1\n-1 2\n-1 3\n-2 4\n-2 5" "0 0 -2 5" --list
+answers_silently "-5 2" "0 0\n-1 0\n-2 1\n-3 1\n-4 2\n-5 2" "0 0 -5 2" --list --method textbook
+answers_silently "-5 -2" "0 0\n-1 0\n-2 -1\n-3 -1\n-4 -2\n-5 -2" "0 0 -5 -2" --list
+answers_silently "-2 -5" "0 0\n0 -1\n-1 -2\n-1 -3\n-2 -4\n-2 -5" "0 0 -2 -5" --list --method textbook
+answers_silently "2 -5" "0 0\n0 -1\n1 -2\n1 -3\n2 -4\n2 -5" "0 0 2 -5" --list
+answers_silently "5 -2" "0 0\n1 0\n2 -1\n3 -1\n4 -2\n5 -2" "0 0 5 -2" --list
+answers_silently "a point" "3 3" "3 3 3 3" --list
+answers_silently "a point, symmetric" "cells: 1\ndiffering: 0" "3 3 3 3" --method symmetric
+answers_silently "a point, textbook" "cells: 1\ndiffering: 0" "3 3 3 3" --method textbook
+answers_silently "ties stay on the start's side" "0 0\n1 0\n2 1\n3 1\n4 2" "0 0 4 2" --list
+answers_silently "and back" "4 2\n3 2\n2 1\n1 1\n0 0" "4 2 0 0" --list
+answers_silently "the textbook's ties, where doubles are no help" "0 0\n1 1\n2 2\n3 2\n4 3\n5 4\n6 5" "0 0 6 5" --list --method textbook
+answers_silently "symmetric, forward" "0 0\n1 0\n2 1\n3 1\n4 2\n5 2\n6 3\n7 3\n8 4" "0 0 8 4" --list --method symmetric
+answers_silently "symmetric, back" "8 4\n7 3\n6 3\n5 2\n4 2\n3 1\n2 1\n1 0\n0 0" "8 4 0 0" --list --method symmetric
+answers_silently "symmetric, left and up" "0 0\n-1 1\n-2 1\n-3 2\n-4 2\n-5 3\n-6 3\n-7 4\n-8 4" "0 0 -8 4" --list --method symmetric
+answers_silently "symmetric, steep" "4 8\n3 7\n3 6\n2 5\n2 4\n1 3\n1 2\n0 1\n0 0" "4 8 0 0" --list --method symmetric
+answers_silently "symmetric differs at its ties" "cells: 9\ndiffering: 4" "8 4 0 0" --method symmetric
 
 # ---- windows, both borders included
-answers "window" "1 0\n2 1\n3 1" "0 0 5 2" --list --window 1,0,3,1
-answers "window of one cell" "2 1" "0 0 5 2" --list --window 2,1,2,1
-answers "negative window" "-3 1\n-2 1" "-5 2 0 0" --list --window -3,0,-2,9
-answers "window that is missed" "cells: 0\ndiffering: 0" "0 0 5 2" --window 0,2,3,9
-answers "empty list" "" "0 0 5 2" --window 0,2,3,9 --list
-answers "inverted window" "cells: 0\ndiffering: 0" "0 0 5 2" --window 3,3,1,1
-answers "a differing cell counts where it is seen" "cells: 4\ndiffering: 2" "8 4 0 0" --method symmetric --window 3,0,6,9
-answers "a reference cell that is seen counts" "cells: 0\ndiffering: 1" "8 4 0 0" --method symmetric --window 1,1,1,1
-answers "seed's missing cell, out of sight" "cells: 2\ndiffering: 0" "0 0 5 2" --method seed --window 0,0,1,9
-answers "the whole of int" "cells: 6\ndiffering: 0" "0 0 5 2" --window -2147483648,-2147483648,2147483647,2147483647
+answers_silently "window" "1 0\n2 1\n3 1" "0 0 5 2" --list --window 1,0,3,1
+answers_silently "window of one cell" "2 1" "0 0 5 2" --list --window 2,1,2,1
+answers_silently "negative window" "-3 1\n-2 1" "-5 2 0 0" --list --window -3,0,-2,9
+answers_silently "window that is missed" "cells: 0\ndiffering: 0" "0 0 5 2" --window 0,2,3,9
+answers_silently "empty list" "" "0 0 5 2" --window 0,2,3,9 --list
+answers_silently "inverted window" "cells: 0\ndiffering: 0" "0 0 5 2" --window 3,3,1,1
+answers_silently "a differing cell counts where it is seen" "cells: 4\ndiffering: 2" "8 4 0 0" --method symmetric --window 3,0,6,9
+answers_silently "a reference cell that is seen counts" "cells: 0\ndiffering: 1" "8 4 0 0" --method symmetric --window 1,1,1,1
+answers_silently "seed's missing cell, out of sight" "cells: 2\ndiffering: 0" "0 0 5 2" --method seed --window 0,0,1,9
+answers_silently "the whole of int" "cells: 6\ndiffering: 0" "0 0 5 2" --window -2147483648,-2147483648,2147483647,2147483647
 for method in integer symmetric textbook seed; do
   run "0 0 900 411" --list --method $method
   awk '$1 >= 100 && $1 <= 707 && $2 >= 50 && $2 <= 300' .out >expected.txt
@@ -98,20 +93,20 @@ done
 far="-2147483648 -2147483648 2147483647 2147483647"
 near="-2147483648 -2147483648 -2130706432 -2130706432"
 for method in integer symmetric; do
-  answers "2^24 steps, $method" "cells: 16777217\ndiffering: 0" "$near" --method $method
+  answers_silently "2^24 steps, $method" "cells: 16777217\ndiffering: 0" "$near" --method $method
 done
-answers "2^24 steps, seed" "cells: 16777216\ndiffering: 1" "$near" --method seed
-answers "ties, 2^24 steps of slope 1/2" "cells: 16777217\ndiffering: 8388608" "0 8388608 -16777216 0" --method symmetric
-answers "seed at ties" "cells: 4000\ndiffering: 1" "-2147483648 0 -2147479648 1999" --method seed
+answers_silently "2^24 steps, seed" "cells: 16777216\ndiffering: 1" "$near" --method seed
+answers_silently "ties, 2^24 steps of slope 1/2" "cells: 16777217\ndiffering: 8388608" "0 8388608 -16777216 0" --method symmetric
+answers_silently "seed at ties" "cells: 4000\ndiffering: 1" "-2147483648 0 -2147479648 1999" --method seed
 if [ -n "${IRG_RELEASE_TIER:-}" ]; then  # half a minute each
-  answers "the longest line" "cells: 4294967296\ndiffering: 0" "$far"
-  answers "the longest line, symmetric" "cells: 4294967296\ndiffering: 0" "$far" --method symmetric
-  answers "the longest line, seed" "cells: 4294967295\ndiffering: 1" "$far" --method seed
-  answers "ties, 2^31 steps of slope 1/2" "cells: 2147483649\ndiffering: 1073741824" "0 1073741824 -2147483648 0" \
+  answers_silently "the longest line" "cells: 4294967296\ndiffering: 0" "$far"
+  answers_silently "the longest line, symmetric" "cells: 4294967296\ndiffering: 0" "$far" --method symmetric
+  answers_silently "the longest line, seed" "cells: 4294967295\ndiffering: 1" "$far" --method seed
+  answers_silently "ties, 2^31 steps of slope 1/2" "cells: 2147483649\ndiffering: 1073741824" "0 1073741824 -2147483648 0" \
     --method symmetric
 fi
-answers "the longest line in 64 x 64" "cells: 64\ndiffering: 0" "$far" --window 0,0,63,63
-answers "the greatest cells" "2147483646 2147483646\n2147483647 2147483647" "$far" --list \
+answers_silently "the longest line in 64 x 64" "cells: 64\ndiffering: 0" "$far" --window 0,0,63,63
+answers_silently "the greatest cells" "2147483646 2147483646\n2147483647 2147483647" "$far" --list \
   --window 2147483646,0,2147483647,2147483647
 # Counted in one walk; the other way by comparing two lists.
 for window in 5000000,0,5000999,9999999 4999990,2500000,6000000,2500003 5000001,2500000,5000001,2500000; do
@@ -128,15 +123,15 @@ done
 
 # ---- the methods' domains
 limit="0 0 1048576 524289"
-answers "textbook: 2^20 steps" "cells: 1048577\ndiffering: 0" "$limit" --method textbook
-answers "textbook: 2^20 steps, all of them ties or near" "cells: 1048577\ndiffering: 0" "1048576 7 0 349532" --method textbook
-refused "textbook: one step more" "stdin:1:13" "0 0 1048577 5" --method textbook
+answers_silently "textbook: 2^20 steps" "cells: 1048577\ndiffering: 0" "$limit" --method textbook
+answers_silently "textbook: 2^20 steps, all of them ties or near" "cells: 1048577\ndiffering: 0" "1048576 7 0 349532" --method textbook
+refuses "textbook: one step more" "stdin:1:13" "0 0 1048577 5" --method textbook
 for line in "0 0 2 5" "0 0 -5 2" "0 0 -5 -2" "0 0 5 -2" "0 0 0 0" "0 0 0 5"; do
   last=${line##* }
-  refused "seed: $line" "stdin:1:$((${#line} - ${#last} + 1))" "$line" --method seed
+  refuses "seed: $line" "stdin:1:$((${#line} - ${#last} + 1))" "$line" --method seed
 done
-answers "seed: 45 degrees" "cells: 3\ndiffering: 1" "0 0 3 3" --method seed
-answers "seed: level" "cells: 3\ndiffering: 1" "0 0 3 0" --method seed
+answers_silently "seed: 45 degrees" "cells: 3\ndiffering: 1" "0 0 3 3" --method seed
+answers_silently "seed: level" "cells: 3\ndiffering: 1" "0 0 3 0" --method seed
 
 # ---- pictures
 run "$course" -o course.ppm --size 220x150
@@ -173,42 +168,42 @@ check "picture and list" is "$out" "$(cat integer.txt)"
 
 # ---- files
 printf '10 10\n200 100\n' >line.txt
-answers "--input" "cells: 191\ndiffering: 0" "" --input line.txt
-refused "no such file" "file does not exist: none.txt" "$course" --input none.txt
-refused "a folder" "path is a directory, not a file: ." "$course" --input .
+answers_silently "--input" "cells: 191\ndiffering: 0" "" --input line.txt
+refuses "no such file" "file does not exist: none.txt" "$course" --input none.txt
+refuses "a folder" "path is a directory, not a file: ." "$course" --input .
 : >empty.txt
-refused "an empty file" "x1 is missing: empty.txt:1:1" "" --input empty.txt
+refuses "an empty file" "x1 is missing: empty.txt:1:1" "" --input empty.txt
 printf '1 2\n3 4\n\n  5' >more.txt
-refused "a left-over number in a file" "nothing more is expected, but there is '5': more.txt:4:3" "" --input more.txt
-refused "the input as picture" "overwritten: line.ppm" "$course" --input line.ppm -o line.ppm
-refused "a picture in no folder" "nowhere/x.png" "$course" -o nowhere/x.png
-refused "an ending that is not written" ".png, .ppm or .svg, not: x.gif" "$course" -o x.gif
-refused "no ending" ".png, .ppm or .svg, not: x" "$course" -o x
+refuses "a left-over number in a file" "nothing more is expected, but there is '5': more.txt:4:3" "" --input more.txt
+refuses "the input as picture" "overwritten: line.ppm" "$course" --input line.ppm -o line.ppm
+refuses "a picture in no folder" "nowhere/x.png" "$course" -o nowhere/x.png
+refuses "an ending that is not written" ".png, .ppm or .svg, not: x.gif" "$course" -o x.gif
+refuses "no ending" ".png, .ppm or .svg, not: x" "$course" -o x
 mkdir folder.png
-refused "a picture that is a folder" "folder.png" "$course" -o folder.png
+refuses "a picture that is a folder" "folder.png" "$course" -o folder.png
 
 # ---- numbers that are wrong
-refused "nothing" "x1 is missing: stdin:1:1" ""
-refused "a comment only" "x1 is missing: stdin:2:1" "# 1 2 3 4\n"
-refused "three numbers" "y2 is missing: stdin:1:6" "1 2 3"
-refused "three numbers and a line" "y2 is missing: stdin:3:1" "1 2\n3\n"
-refused "five numbers" "nothing more is expected, but there is '5': stdin:1:9" "1 2 3 4 5"
-refused "five numbers on lines" "there is '5': stdin:3:2" "1 2 # a\n3 4\n\t5"
-refused "no number" "y1 is not a number, 'two': stdin:1:3" "1 two 3 4"
-refused "a number and more" "x1 is not a number, '1x': stdin:1:1" "1x 2 3 4"
-refused "comma" "x1 is not a number, '1,2,3,4': stdin:1:1" "1,2,3,4"
-refused "NaN" "x2 is not a number, 'nan': stdin:1:5" "1 2 nan 4"
-refused "infinity" "x2 is not a number, '-inf': stdin:1:5" "1 2 -inf 4"
-refused "a decimal" "y2 is not a whole number, '4.5': stdin:1:7" "1 2 3 4.5"
-refused "an exponent" "y2 is not a whole number, '1e2': stdin:1:7" "1 2 3 1e2"
-refused "2^31" "to 2147483647: stdin:2:1" "1\n2147483648 3 4"
-refused "-2^31 - 1" "to 2147483647: stdin:1:1" "-2147483649 1 3 4"
-refused "2^64" "to 2147483647: stdin:1:1" "18446744073709551616 1 3 4"
-refused "two signs" "x1 is not a number, '--1': stdin:1:1" "--1 1 3 4"
-refused "a NUL byte" "stdin:1:3" "1 \0002 3 4"
-refused "a broken byte order mark" "stdin:1:1" "\xEF1 2 3 4"
-refused "a control character in a number stays on the line" "stdin:1:1" "1\0331 2 3 4"
-refused "a long line" "there is '5': stdin:1:100008" "1 2 3 4$(printf '%100000s' '')5"
+refuses "nothing" "x1 is missing: stdin:1:1" ""
+refuses "a comment only" "x1 is missing: stdin:2:1" "# 1 2 3 4\n"
+refuses "three numbers" "y2 is missing: stdin:1:6" "1 2 3"
+refuses "three numbers and a line" "y2 is missing: stdin:3:1" "1 2\n3\n"
+refuses "five numbers" "nothing more is expected, but there is '5': stdin:1:9" "1 2 3 4 5"
+refuses "five numbers on lines" "there is '5': stdin:3:2" "1 2 # a\n3 4\n\t5"
+refuses "no number" "y1 is not a number, 'two': stdin:1:3" "1 two 3 4"
+refuses "a number and more" "x1 is not a number, '1x': stdin:1:1" "1x 2 3 4"
+refuses "comma" "x1 is not a number, '1,2,3,4': stdin:1:1" "1,2,3,4"
+refuses "NaN" "x2 is not a number, 'nan': stdin:1:5" "1 2 nan 4"
+refuses "infinity" "x2 is not a number, '-inf': stdin:1:5" "1 2 -inf 4"
+refuses "a decimal" "y2 is not a whole number, '4.5': stdin:1:7" "1 2 3 4.5"
+refuses "an exponent" "y2 is not a whole number, '1e2': stdin:1:7" "1 2 3 1e2"
+refuses "2^31" "to 2147483647: stdin:2:1" "1\n2147483648 3 4"
+refuses "-2^31 - 1" "to 2147483647: stdin:1:1" "-2147483649 1 3 4"
+refuses "2^64" "to 2147483647: stdin:1:1" "18446744073709551616 1 3 4"
+refuses "two signs" "x1 is not a number, '--1': stdin:1:1" "--1 1 3 4"
+refuses "a NUL byte" "stdin:1:3" "1 \0002 3 4"
+refuses "a broken byte order mark" "stdin:1:1" "\xEF1 2 3 4"
+refuses "a control character in a number stays on the line" "stdin:1:1" "1\0331 2 3 4"
+refuses "a long line" "there is '5': stdin:1:100008" "1 2 3 4$(printf '%100000s' '')5"
 (yes 1 | timeout 60 "$program" >.out 2>.err)
 check "endless numbers end" is "$(cat .err)" "bresenham_line: nothing more is expected, but there is '1': stdin:5:1"
 (tr '\0' 7 </dev/zero | timeout 60 "$program" >.out 2>.err)
@@ -218,20 +213,20 @@ check "no standard input: exit 2" is "$?" 2
 check "no standard input: one line" is "$(wc -l <.err)" 1
 
 # ---- options that are wrong
-refused "an unknown option" "--help lists them" "$course" --depth 3
-refused "a word" "unexpected word 'line.txt'; --help tells how" "$course" line.txt
-refused "an unknown method" "supported: integer, symmetric, textbook, seed" "$course" --method dda
-refused "a method missing" "needs a value" "$course" --method
-refused "a window of three" "not '0,0,1'" "$course" --window 0,0,1
-refused "a window of five" "not '0,0,1,1,1'" "$course" --window 0,0,1,1,1
-refused "a window with halves" "2147483647" "$course" --window 0,0,1.5,1
-refused "a window out of int" "2147483647" "$course" --window 0,0,2147483648,1
-refused "a window that is none" "not 'all'" "$course" --window all
-refused "an empty input" "needs a file's name" "$course" --input ""
-refused "a size of 0" "not '0x5'" "$course" --size 0x5
-refused "a size of one number" "not '5'" "$course" --size 5
-refused "a huge size" "not '65536x1'" "$course" --size 65536x1
-refused "too many pixels" "not '65535x65535'" "$course" --size 65535x65535
+refuses "an unknown option" "--help lists them" "$course" --depth 3
+refuses "a word" "unexpected word 'line.txt'; --help tells how" "$course" line.txt
+refuses "an unknown method" "supported: integer, symmetric, textbook, seed" "$course" --method dda
+refuses "a method missing" "needs a value" "$course" --method
+refuses "a window of three" "not '0,0,1'" "$course" --window 0,0,1
+refuses "a window of five" "not '0,0,1,1,1'" "$course" --window 0,0,1,1,1
+refuses "a window with halves" "2147483647" "$course" --window 0,0,1.5,1
+refuses "a window out of int" "2147483647" "$course" --window 0,0,2147483648,1
+refuses "a window that is none" "not 'all'" "$course" --window all
+refuses "an empty input" "needs a file's name" "$course" --input ""
+refuses "a size of 0" "not '0x5'" "$course" --size 0x5
+refuses "a size of one number" "not '5'" "$course" --size 5
+refuses "a huge size" "not '65536x1'" "$course" --size 65536x1
+refuses "too many pixels" "not '65535x65535'" "$course" --size 65535x65535
 no_room "$course"
 
 conclude

@@ -8,16 +8,6 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../support/programs.sh" convex_polygon "$@"
 . "$here/../support/window.sh"
 
-line() { sed -n "s/^$1: //p" .out; }
-
-# refused "what" "part of the message" numbers arguments...
-refused() {
-  local what=$1 part=$2
-  shift 2
-  fails "$what" "$@"
-  check "$what: says '$part': $err" has "$err" "$part"
-}
-
 course="4
 50 200   150 350   300 150   100 50
 150 200
@@ -25,11 +15,7 @@ course="4
 : >empty
 
 # ---- help
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in usage: --input --rule --list --size --window -o top-left course closed rounded half-open; do
-  check "--help names $word" has "$out" "$word"
-done
+helps usage: --input --rule --list --size --window -o top-left course closed rounded half-open
 
 # ---- the course's polygon
 run "$course"

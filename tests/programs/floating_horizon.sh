@@ -5,11 +5,7 @@
 # shellcheck source=tests/support/programs.sh
 . "$(dirname "$0")/../support/programs.sh" floating_horizon "$@"
 
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in --function ripple --table --curves --samples --width --height --yaw --pitch --mode overlaid --test strict seed --list --horizons -o --size; do
-  check "--help names $word" has "$out" "$word"
-done
+helps --function ripple --table --curves --samples --width --height --yaw --pitch --mode overlaid --test strict seed --list --horizons -o --size
 
 # ---- a level square, seen from its side: two curves, as long as they are wide
 level='0 0\n0 0\n'

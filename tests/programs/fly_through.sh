@@ -7,11 +7,7 @@
 
 arch='3  4 1 0  0 2 4  -4 1 0  0 0.5 -4'
 
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in -o --frames --move --look --curve --pictures --steps --delay --size --eye --target --input --list; do
-  check "--help names $word" has "$out" "$word"
-done
+helps -o --frames --move --look --curve --pictures --steps --delay --size --eye --target --input --list
 
 run "$arch" cube -o fly.png --frames step --pictures 5 --size 48x36
 check "a flight: exit 0, $err" is "$status" 0

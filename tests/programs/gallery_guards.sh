@@ -3,20 +3,6 @@
 # gallery_guards, seen from outside. Usage: gallery_guards.sh FOLDER_OF_PROGRAMS
 . "$(dirname "$0")/../support/programs.sh" gallery_guards "$@"
 
-answers() { # answers "what" "output" "input" arguments...
-  local what=$1 expected=$2
-  shift 2
-  run "$@"
-  check "$what: exit 0: $err" is "$status" 0
-  check "$what: $out" is "$out" "$(printf '%b' "$expected")"
-}
-refused() { # refused "what" "part of the message" "input" arguments...
-  local what=$1 part=$2
-  shift 2
-  fails "$what" "$@"
-  check "$what: says so: $err" has "$err" "$part"
-}
-
 room="1 4 0 0 2 0 2 2 0 2"
 bent="1 6 0 0 3 0 3 1 1 1 1 3 0 3 # an L"
 answers "a room" "guards: 1\nat_least: 1\nparts: 1\nguard: 0 0" "$room"

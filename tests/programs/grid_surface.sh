@@ -5,11 +5,7 @@
 # shellcheck source=tests/support/programs.sh
 . "$(dirname "$0")/../support/programs.sh" grid_surface "$@"
 
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in --order --list --input -o --size; do
-  check "--help names $word" has "$out" "$word"
-done
+helps --order --list --input -o --size
 
 tower='3 3  0 0 0 0  0 2 0 0  0 0 0 0  0 0 0 0 '
 # ---- views and orders

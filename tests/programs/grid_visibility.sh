@@ -3,20 +3,6 @@
 # grid_visibility, seen from outside. Usage: grid_visibility.sh FOLDER_OF_PROGRAMS
 . "$(dirname "$0")/../support/programs.sh" grid_visibility "$@"
 
-answers() { # answers "what" "output" "input" arguments...
-  local what=$1 expected=$2
-  shift 2
-  run "$@"
-  check "$what: exit 0: $err" is "$status" 0
-  check "$what: $out" is "$out" "$(printf '%b' "$expected")"
-}
-refused() { # refused "what" "part of the message" "input" arguments...
-  local what=$1 part=$2
-  shift 2
-  fails "$what" "$@"
-  check "$what: says so: $err" has "$err" "$part"
-}
-
 room="8 6 1\n........\n...#....\n....#...\n.#......\n..#.....\n........\n0 0\n"
 for method in sweep exact thesis thesis-face-path; do answers "a room, $method" "seen: 31" "$room" --method $method; done
 answers "a full cell is seen, what is behind it is not" "0 0 0\n1 0 0" "3 1 1\n.#.\n0 0\n" --list

@@ -5,11 +5,7 @@
 # shellcheck source=tests/support/programs.sh
 . "$(dirname "$0")/../support/programs.sh" mandelbrot_zoom "$@"
 
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in -o --centre --from --to --pictures --steps --delay --size --threads; do
-  check "--help names $word" has "$out" "$word"
-done
+helps -o --centre --from --to --pictures --steps --delay --size --threads
 
 run "" -o zoom.png --size 24x18 --pictures 5 --to 1e-30 --steps 500
 check "a zoom: exit 0, $err" is "$status" 0

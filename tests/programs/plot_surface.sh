@@ -5,11 +5,7 @@
 # shellcheck source=tests/support/programs.sh
 . "$(dirname "$0")/../support/programs.sh" plot_surface "$@"
 
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in --function --terrain --image --samples --style --azimuth --elevation --labels -o --size --animate; do
-  check "--help names $word" has "$out" "$word"
-done
+helps --function --terrain --image --samples --style --azimuth --elevation --labels -o --size --animate
 
 run ""
 check "a ripple: $err" is "$status" 0

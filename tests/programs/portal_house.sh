@@ -3,20 +3,6 @@
 # portal_house, seen from outside. Usage: portal_house.sh FOLDER_OF_PROGRAMS
 . "$(dirname "$0")/../support/programs.sh" portal_house "$@"
 
-answers() { # answers "what" "output" "input" arguments...
-  local what=$1 expected=$2
-  shift 2
-  run "$@"
-  check "$what: exit 0: $err" is "$status" 0
-  check "$what: $out" is "$out" "$(printf '%b' "$expected")"
-}
-refused() { # refused "what" "part of the message" "input" arguments...
-  local what=$1 part=$2
-  shift 2
-  fails "$what" "$@"
-  check "$what: says so: $err" has "$err" "$part"
-}
-
 # Three rooms in a row and one that only the last one sees.
 rooms="cell a 0 0 1 0 1 3 0 3\ncell b 1 0 2 0 2 3 1 3\ncell c 2 0 3 0 3 3 2 3\ncell d 2 3 3 3 3 4 2 4\n"
 rooms+="portal a b 1 1 1 2\nportal b c 2 1.5 2 2.5\nportal c d 2 3 2.1 3\n"

@@ -8,8 +8,8 @@
 number() { sed -n "s/.*\"$1\": \([0-9][0-9.]*\).*/\1/p" "$2"; }
 hash_in() { sed -n 's/^  "hash": "\([0-9a-f]\{16\}\)"$/\1/p' "$1"; }
 
-# refused "what" "part of the message" arguments...
-refused() {
+# refuses "what" "part of the message" arguments...
+refuses() {
   local what=$1 part=$2
   shift 2
   fails "$what" "" "$@"
@@ -89,13 +89,8 @@ printf 'v 1e200 0 0\nv -1e200 0 0\nv 0 1e200 0\nf 1 2 3\n' >huge.obj
 mkdir folder
 
 # ---- help and defaults
-run "" --help
-check "--help: exit 0" is "$status" 0
-check "--help: silent on standard error" is "$err" ""
-for word in MODEL -o --stats --size --eye --target --up --fov --project --hidden --style --edges --light --cull --skip --threads \
-  teapot cube sphere torus 1280x720 gouraud zbuffer perspective orthographic isometric dimetric trimetric oblique; do
-  check "--help names $word" has "$(cat .out)" "$word"
-done
+helps MODEL -o --stats --size --eye --target --up --fov --project --hidden --style --edges --light --cull --skip --threads \
+  teapot cube sphere torus 1280x720 gouraud zbuffer perspective orthographic isometric dimetric trimetric oblique
 run "" cube --help
 check "--help after a model: exit 0" is "$status" 0
 
@@ -160,11 +155,11 @@ for option in "--shadows on" "--mirror 0.5" "--samples 2"; do
   check "$option: another picture" test "$hash" != "$plain"
   drawn "$option on 3 threads" teapot $small --hidden raytrace $option --threads 3
   check "$option on 3 threads: the same hash" is "$(hash_in s.json)" "$hash"
-  refused "$option without rays" "--hidden raytrace" cube -o x.png $option
-  refused "$option of edges" "style of faces" cube -o x.png --hidden raytrace --style wire $option
+  refuses "$option without rays" "--hidden raytrace" cube -o x.png $option
+  refuses "$option of edges" "style of faces" cube -o x.png --hidden raytrace --style wire $option
 done
-for value in -1 1.5 nan x ""; do refused "--mirror '$value'" "--mirror" cube -o x.png --hidden raytrace --mirror "$value"; done
-for value in 0 17 1.5 x ""; do refused "--samples '$value'" "--samples" cube -o x.png --hidden raytrace --samples "$value"; done
+for value in -1 1.5 nan x ""; do refuses "--mirror '$value'" "--mirror" cube -o x.png --hidden raytrace --mirror "$value"; done
+for value in 0 17 1.5 x ""; do refuses "--samples '$value'" "--samples" cube -o x.png --hidden raytrace --samples "$value"; done
 
 # ---- hashes
 for style in gouraud wire hidden-line flat phong; do
@@ -397,50 +392,50 @@ for size in 1x1 3x1 1x3 65535x1 1x65535; do
 done
 
 # ---- refusals
-refused "no arguments" "no model"
-refused "no picture" "-o" cube
-refused "a missing file" "missing.obj" missing.obj -o x.png --stats x.json
-refused "a folder" "folder" folder -o x.png --stats x.json
-refused "bytes that are cut off" "cut.ply, byte 111" cut.ply -o x.png --stats x.json
-refused "an empty file" "empty" empty.obj -o x.png --stats x.json
+refuses "no arguments" "no model"
+refuses "no picture" "-o" cube
+refuses "a missing file" "missing.obj" missing.obj -o x.png --stats x.json
+refuses "a folder" "folder" folder -o x.png --stats x.json
+refuses "bytes that are cut off" "cut.ply, byte 111" cut.ply -o x.png --stats x.json
+refuses "an empty file" "empty" empty.obj -o x.png --stats x.json
 strange_models -o strange.png --size 20x10
 rm -f strange.png
-refused "a model without faces" "no faces" points.obj -o x.png --stats x.json
-refused "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png --stats x.json
-refused "an infinite vertex" "inf.obj:3:3" inf.obj -o x.png --stats x.json
-refused "an index out of range" "range.obj:4:7" range.obj -o x.png --stats x.json
+refuses "a model without faces" "no faces" points.obj -o x.png --stats x.json
+refuses "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png --stats x.json
+refuses "an infinite vertex" "inf.obj:3:3" inf.obj -o x.png --stats x.json
+refuses "an index out of range" "range.obj:4:7" range.obj -o x.png --stats x.json
 if [ "$(id -u)" != 0 ]; then
   cp square.obj locked.obj && chmod 000 locked.obj
-  refused "a file that may not be read" "locked.obj" locked.obj -o x.png --stats x.json
+  refuses "a file that may not be read" "locked.obj" locked.obj -o x.png --stats x.json
   mkdir locked && chmod 555 locked
-  refused "a folder that may not be written" "locked" cube $small -o locked/x.png --stats x.json
+  refuses "a folder that may not be written" "locked" cube $small -o locked/x.png --stats x.json
 else
   echo "skipped: files that may not be read or written (running as root)"
 fi
-refused "a picture in no folder" "nowhere/x.png" cube $small -o nowhere/x.png --stats x.json
-refused "a picture in a file" "square.obj/x.png" cube $small -o square.obj/x.png --stats x.json
-refused "a picture that is a folder" "folder" cube $small -o folder --stats x.json
+refuses "a picture in no folder" "nowhere/x.png" cube $small -o nowhere/x.png --stats x.json
+refuses "a picture in a file" "square.obj/x.png" cube $small -o square.obj/x.png --stats x.json
+refuses "a picture that is a folder" "folder" cube $small -o folder --stats x.json
 mkdir folder.png
-refused "a picture that is a folder called .png" "folder.png" cube $small -o folder.png --stats x.json
-refused "statistics in no folder" "nowhere/x.json" cube $small -o x.png --stats nowhere/x.json
-refused "statistics that are a folder" "folder" cube $small -o x.png --stats folder
-refused "a picture of unknown ending" ".png" cube -o x.gif --stats x.json
-refused "a picture without ending" ".png" cube -o png --stats x.json
+refuses "a picture that is a folder called .png" "folder.png" cube $small -o folder.png --stats x.json
+refuses "statistics in no folder" "nowhere/x.json" cube $small -o x.png --stats nowhere/x.json
+refuses "statistics that are a folder" "folder" cube $small -o x.png --stats folder
+refuses "a picture of unknown ending" ".png" cube -o x.gif --stats x.json
+refuses "a picture without ending" ".png" cube -o png --stats x.json
 for size in 0x0 0x5 5x0 -5x3 5x-3 100000x100000 65536x1 1x65536 65535x65535 12 x 5x x5 5x5x5 5.5x5 axb nanx5 infx5 1e400x5 "" " 5x5"; do
-  refused "--size '$size'" "--size" cube -o x.png --stats x.json --size "$size"
+  refuses "--size '$size'" "--size" cube -o x.png --stats x.json --size "$size"
 done
 for option in --eye --target --up --light; do
   for value in 1,2 1,2,3,4 1,2, ,,, "" nan,0,0 0,inf,0 1e999,0,0 "1, 2,3" 1x,2,3 cube; do
-    refused "$option '$value'" "$option" cube -o x.png --stats x.json $option "$value"
+    refuses "$option '$value'" "$option" cube -o x.png --stats x.json $option "$value"
   done
 done
-for value in -1 181 nan x "" 1,2; do refused "--crease '$value'" "--crease" cube -o x.png --crease "$value"; done
-for value in 0 180 -1 1e-310 nan inf x "" 1,2; do refused "--fov '$value'" "--fov" cube -o x.png --stats x.json --fov "$value"; done
-for value in 0 -1 257 1.5 1e300 nan x ""; do refused "--threads '$value'" "--threads" cube -o x.png --stats x.json --threads "$value"; done
+for value in -1 181 nan x "" 1,2; do refuses "--crease '$value'" "--crease" cube -o x.png --crease "$value"; done
+for value in 0 180 -1 1e-310 nan inf x "" 1,2; do refuses "--fov '$value'" "--fov" cube -o x.png --stats x.json --fov "$value"; done
+for value in 0 -1 257 1.5 1e300 nan x ""; do refuses "--threads '$value'" "--threads" cube -o x.png --stats x.json --threads "$value"; done
 refused_choice() { # option value supported...
   local option=$1 value=$2
   shift 2
-  for word in "$@"; do refused "$option '$value' names $word" "$word" cube -o x.png --stats x.json "$option" "$value"; done
+  for word in "$@"; do refuses "$option '$value' names $word" "$word" cube -o x.png --stats x.json "$option" "$value"; done
 }
 for value in nothing "" Wire; do
   refused_choice --project "$value" perspective orthographic isometric dimetric trimetric oblique
@@ -451,32 +446,32 @@ for value in nothing "" Wire; do
   refused_choice --edges "$value" all sharp outline
   refused_choice --skip "$value" on off
 done
-# What is promised for later works or is refused with the list; never anything else.
+# What is promised for later works or is refuses with the list; never anything else.
 for pair in "--hidden raytrace" "--style hidden-line"; do
   run "" cube $small -o later.ppm $pair
   if [ "$status" = 0 ]; then
     check "$pair: a picture" test -s later.ppm
   else
     rm -f later.ppm
-    refused "$pair" "supported: " cube $small -o x.png --stats x.json $pair
+    refuses "$pair" "supported: " cube $small -o x.png --stats x.json $pair
   fi
 done
 for option in -o --stats --size --eye --target --up --fov --project --hidden --style --edges --light --cull --skip --threads; do
-  refused "$option without a value" "$option" cube $small -o x.png $option
+  refuses "$option without a value" "$option" cube $small -o x.png $option
 done
-refused "an unknown option" "--colour" cube -o x.png --colour red
-refused "an unknown short option" "-q" cube -o x.png -q
-refused "two models" "sphere" cube sphere -o x.png
+refuses "an unknown option" "--colour" cube -o x.png --colour red
+refuses "an unknown short option" "-q" cube -o x.png -q
+refuses "two models" "sphere" cube sphere -o x.png
 for project in perspective orthographic isometric dimetric trimetric oblique; do
-  refused "the eye at the target, $project" "the eye is at the target" cube -o x.png --eye 0,0,5 --target 0,-0,5 --project $project
-  refused "the eye at the centre, $project" "the eye is at the target" cube -o x.png --eye 0.5,0.5,0.5 --project $project
-  refused "the target at the eye of a model of no size, $project" "the eye is at the target" dot.obj -o x.png --stats x.json \
+  refuses "the eye at the target, $project" "the eye is at the target" cube -o x.png --eye 0,0,5 --target 0,-0,5 --project $project
+  refuses "the eye at the centre, $project" "the eye is at the target" cube -o x.png --eye 0.5,0.5,0.5 --project $project
+  refuses "the target at the eye of a model of no size, $project" "the eye is at the target" dot.obj -o x.png --stats x.json \
     --eye 0,0,0 --project $project
 done
-refused "the eye at the target of a huge model" "the eye is at the target" huge.obj -o x.png --eye 1e200,0,0 --target 1e200,0,0
-for up in 0,0,0 -0,0,-0 1e-400,0,0; do refused "no up, $up" "--up needs a direction" cube -o x.png --stats x.json --up $up; done
-refused "an eye out of range" "too far" cube -o x.png --eye 1e200,0,0
-refused "a target out of range" "too far" cube -o x.png --target 1e300,0,0 --project orthographic
+refuses "the eye at the target of a huge model" "the eye is at the target" huge.obj -o x.png --eye 1e200,0,0 --target 1e200,0,0
+for up in 0,0,0 -0,0,-0 1e-400,0,0; do refuses "no up, $up" "--up needs a direction" cube -o x.png --stats x.json --up $up; done
+refuses "an eye out of range" "too far" cube -o x.png --eye 1e200,0,0
+refuses "a target out of range" "too far" cube -o x.png --target 1e300,0,0 --project orthographic
 
 run "" cube $small -o empty.png --eye 0,0,9 --target 0,0,20
 check "an empty picture is a picture: exit 0" is "$status" 0
@@ -484,21 +479,21 @@ check "an empty picture comes with a hint: $err" has "$err" "render: the picture
 run "" cube $small -o full.png
 check "a picture of the model comes without" is "$err" ""
 printf '\377\376v\0' >utf16.obj
-refused "a text of another kind" "UTF-8: utf16.obj" utf16.obj -o x.png
+refuses "a text of another kind" "UTF-8: utf16.obj" utf16.obj -o x.png
 check "what is wrong with a whole file has no position: $err" ends "$err" ": utf16.obj"
 
 # A picture that stood there before stays when the new one cannot be drawn.
 cp picture.png kept.png
-refused "a failure beside an old picture" "missing.obj" missing.obj -o kept.png
+refuses "a failure beside an old picture" "missing.obj" missing.obj -o kept.png
 check "an old picture is as it was" cmp -s picture.png kept.png
-refused "a failure of the statistics beside an old picture" "nowhere" cube -o kept.png $small --style wire --stats nowhere/x.json
+refuses "a failure of the statistics beside an old picture" "nowhere" cube -o kept.png $small --style wire --stats nowhere/x.json
 check "an old picture is as it was when the statistics cannot be written" cmp -s picture.png kept.png
 
-refused "one file for both" "both.png" cube $small -o both.png --stats both.png
-refused "one file for both by another name" "both.png" cube $small -o both.png --stats ./both.png
+refuses "one file for both" "both.png" cube $small -o both.png --stats both.png
+refuses "one file for both by another name" "both.png" cube $small -o both.png --stats ./both.png
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >self.ppm
 cp self.ppm self.kept
-refused "a picture over its model" "overwritten" self.ppm -o ./self.ppm
+refuses "a picture over its model" "overwritten" self.ppm -o ./self.ppm
 check "the model is as it was" cmp -s self.ppm self.kept
 # The size of a model does not matter, to the ends of the range: these are 2^1000, 2^-1000, 2^-1070 times the first.
 sized() {
@@ -513,9 +508,9 @@ done
 run "" sized.obj $small -o scaled.ppm --eye 1e-321,2e-321,1e-321
 check "an eye near a tiny model is drawn" is "$status" 0
 sized 1e-310 x.ppm
-refused "an eye out of reach of a tiny model" "too far" sized.obj -o x.png --eye 1,1,1
-refused "a size that is no plain number" "--size" cube -o x.png --size 1e2x50
-refused "a folder that does not exist" "folder" cube -o nowhere/x.png
+refuses "an eye out of reach of a tiny model" "too far" sized.obj -o x.png --eye 1,1,1
+refuses "a size that is no plain number" "--size" cube -o x.png --size 1e2x50
+refuses "a folder that does not exist" "folder" cube -o nowhere/x.png
 # Where the system grants no threads, the calling one does the work. (Sanitizers need more room than that.)
 if (ulimit -v 400000 && "$program" --help) >/dev/null 2>&1; then
   run "" cube $small --threads 200 -o many.ppm

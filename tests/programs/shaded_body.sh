@@ -6,7 +6,6 @@
 # shellcheck source=tests/support/programs.sh
 . "$(dirname "$0")/../support/programs.sh" shaded_body "$@"
 
-line() { sed -n "s/^$1: //p" .out; }
 one_line() { tr '\n' ' ' <.out; }
 
 # near "words" "words": as many; equal words, or numbers not further apart than 1e-12
@@ -20,8 +19,8 @@ near() {
   }'
 }
 
-# refused "what" "part of the message" arguments...
-refused() {
+# refuses "what" "part of the message" arguments...
+refuses() {
   local what=$1 part=$2
   shift 2
   fails "$what" "" "$@"
@@ -75,13 +74,8 @@ printf 'v 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n' >nan.obj
 printf 'v 1e200 0 0\nv -1e200 0 0\nv 0 1e200 0\nf 1 2 3\n' >huge.obj
 
 # ---- help
-run "" --help
-check "--help: exit 0" is "$status" 0
-check "--help: silent on standard error" is "$err" ""
-for word in usage: MODEL --fit --list -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip \
-  --threads teapot cube sphere torus; do
-  check "--help names $word" has "$out" "$word"
-done
+helps usage: MODEL --fit --list -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip \
+  --threads teapot cube sphere torus
 
 # ---- a lamp at (3, 2, 4)
 lamp="--light 3,2,4"
@@ -176,39 +170,39 @@ check "statistics without a picture: exit 0: $err" is "$status" 0
 check "statistics without a picture" test -s only.json
 
 # ---- refusals
-refused "no model" "no model"
-refused "an empty picture name" "-o needs" cube -o ""
-refused "an empty name of statistics" "--stats needs" cube --stats ""
-refused "two models" "torus" cube torus
-refused "a missing file" "missing.obj" missing.obj
-refused "an empty file" "empty" empty.obj --list
+refuses "no model" "no model"
+refuses "an empty picture name" "-o needs" cube -o ""
+refuses "an empty name of statistics" "--stats needs" cube --stats ""
+refuses "two models" "torus" cube torus
+refuses "a missing file" "missing.obj" missing.obj
+refuses "an empty file" "empty" empty.obj --list
 strange_models
-refused "a model without faces" "no faces" points.obj
-refused "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png
+refuses "a model without faces" "no faces" points.obj
+refuses "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png
 printf 'v 1 0 0\nv -1 0 0\nv 0 1 0\nf 1 2 3\n' >ordinary.obj
 run "" ordinary.obj --list
 ordinary=$out
 run "" huge.obj --list
 check "a large model is shaded as a small one" is "$out" "$ordinary"
-refused "an eye out of range" "too far" cube --eye 1e200,0,0
-refused "the eye at the target" "the eye is at the target" cube --eye 0,0,5 --target 0,0,5
-refused "the eye at the target, orthographic" "the eye is at the target" cube --list --project orthographic --eye 0,0,5 --target 0,0,5
-refused "the eye at the centre" "the eye is at the target" cube --eye 0.5,0.5,0.5 -o x.png --stats x.json
-refused "no up" "--up needs a direction" cube --up 0,0,0
-refused "an unknown option" "--colour" cube --colour red
-refused "an unknown projection" "isometric" cube --project round
-refused "an eye of two numbers" "--eye" cube --eye 1,2
-refused "a lamp that is no number" "--light" cube --light 1,nan,2
+refuses "an eye out of range" "too far" cube --eye 1e200,0,0
+refuses "the eye at the target" "the eye is at the target" cube --eye 0,0,5 --target 0,0,5
+refuses "the eye at the target, orthographic" "the eye is at the target" cube --list --project orthographic --eye 0,0,5 --target 0,0,5
+refuses "the eye at the centre" "the eye is at the target" cube --eye 0.5,0.5,0.5 -o x.png --stats x.json
+refuses "no up" "--up needs a direction" cube --up 0,0,0
+refuses "an unknown option" "--colour" cube --colour red
+refuses "an unknown projection" "isometric" cube --project round
+refuses "an eye of two numbers" "--eye" cube --eye 1,2
+refuses "a lamp that is no number" "--light" cube --light 1,nan,2
 for option in -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip --threads; do
-  refused "$option without a value" "$option" cube $option
+  refuses "$option without a value" "$option" cube $option
 done
-refused "a picture of unknown ending" ".png" cube -o x.gif
-refused "a picture in no folder" "nowhere/x.png" cube $small -o nowhere/x.png
-refused "statistics in no folder" "nowhere/x.json" cube $small -o x.png --stats nowhere/x.json
-refused "statistics in no folder, without a picture" "nowhere/x.json" cube $small --stats nowhere/x.json
-refused "one file for both" "both.png" cube $small -o both.png --stats both.png
+refuses "a picture of unknown ending" ".png" cube -o x.gif
+refuses "a picture in no folder" "nowhere/x.png" cube $small -o nowhere/x.png
+refuses "statistics in no folder" "nowhere/x.json" cube $small -o x.png --stats nowhere/x.json
+refuses "statistics in no folder, without a picture" "nowhere/x.json" cube $small --stats nowhere/x.json
+refuses "one file for both" "both.png" cube $small -o both.png --stats both.png
 cp cube.obj self.ppm
-refused "a picture over its model" "overwritten" self.ppm -o ./self.ppm
+refuses "a picture over its model" "overwritten" self.ppm -o ./self.ppm
 check "the model is as it was" cmp -s self.ppm cube.obj
 if [ -e /dev/full ]; then
   "$program" cube $small -o full.png --stats full.json >/dev/full 2>.err

@@ -3,20 +3,6 @@
 # street_view_2d, seen from outside. Usage: street_view_2d.sh FOLDER_OF_PROGRAMS
 . "$(dirname "$0")/../support/programs.sh" street_view_2d "$@"
 
-answers() { # answers "what" "output" "input" arguments...
-  local what=$1 expected=$2
-  shift 2
-  run "$@"
-  check "$what: exit 0: $err" is "$status" 0
-  check "$what: $out" is "$out" "$(printf '%b' "$expected")"
-}
-refused() { # refused "what" "part of the message" "input" arguments...
-  local what=$1 part=$2
-  shift 2
-  fails "$what" "$@"
-  check "$what: says so: $err" has "$err" "$part"
-}
-
 open="0 0 4 4 0"
 square="0 0 8 8 1 4 3 3 5 3 5 5 3 5 # a house in the middle"
 answers "no houses" "view: 1 1 16 0\nseen:" "$open 1 1"

@@ -7,12 +7,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../support/programs.sh" studio "$@"
 . "$here/../support/window.sh"
 
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in load drop show shade opacity colour add change move remove aim orbit project pyramid helper lamp drop-lamp \
-  ambient light picture save restore --input --size --window --replay; do
-  check "--help names $word" has "$out" "$word"
-done
+helps load drop show shade opacity colour add change move remove aim orbit project pyramid helper lamp drop-lamp \
+  ambient light picture save restore --input --size --window --replay
 for key in Tab Delete "1 2 3 4" "arrows" Backspace F1 F2 F4 F5 F6 F7 Return Escape "drag in a view" "wheel in a view" \
   "press in a panel" "drop a file"; do
   check "--help tells of $key" has "$out" "

@@ -5,9 +5,7 @@
 # shellcheck source=tests/support/programs.sh
 . "$(dirname "$0")/../support/programs.sh" vectors "$@"
 
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in --example --input --list --size -o; do check "--help names $word" has "$out" "$word"; done
+helps --example --input --list --size -o
 
 # ---- the course's values
 expected='v1: 1 7 -5

@@ -5,8 +5,6 @@
 # shellcheck source=tests/support/programs.sh
 . "$(dirname "$0")/../support/programs.sh" view_projection "$@"
 
-line() { sed -n "s/^$1: //p" .out; }
-
 # near "numbers" "numbers": as many, and no two further apart than 1e-12
 near() {
   awk -v a="$1" -v b="$2" 'BEGIN {
@@ -15,20 +13,8 @@ near() {
   }'
 }
 
-# refused "what" "part of the message" numbers arguments...
-refused() {
-  local what=$1 part=$2
-  shift 2
-  fails "$what" "$@"
-  check "$what: says '$part': $err" has "$err" "$part"
-}
-
 # ---- help
-run "" --help
-check "--help: exit 0" is "$status" 0
-for word in usage: MODEL --fit --input --list --size -o; do
-  check "--help names $word" has "$out" "$word"
-done
+helps usage: MODEL --fit --input --list --size -o
 
 # ---- the course's first view
 cube="0 0 0  0 0 1  1 0 0  1 0 1  1 1 0  1 1 1  0 1 0  0 1 1"

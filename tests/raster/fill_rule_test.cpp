@@ -5,15 +5,12 @@
 #include <vector>
 
 #include "support/check_both.hpp"
+#include "support/own_types.hpp"
 
 namespace {
 
-struct own_point {
-  float x, y;
-};
-struct pixel_point {
-  int x, y;
-};
+using own_point = own::plain2<float>;
+using pixel_point = own::plain_cell;
 
 TEST_CASE("fill_rule: the two rules are told apart") {
   CHECK_BOTH(irg::fill_rule::even_odd != irg::fill_rule::non_zero);

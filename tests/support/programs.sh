@@ -53,6 +53,31 @@ fails() {
   check "$what: standard output is empty" is "$(wc -c <.out)" 0
   check "$what: leaves no file" is "$before" "$after"
 }
+# refused "what" "part of the message" "input" arguments...: fails, and says so.
+refused() {
+  local what=$1 part=$2
+  shift 2
+  fails "$what" "$@"
+  check "$what: says '$part': $err" has "$err" "$part"
+}
+# answers "what" "output" "input" arguments...: exit 0, and that output, escapes as in printf %b.
+answers() {
+  local what=$1 expected=$2
+  shift 2
+  run "$@"
+  check "$what: exit 0, not $status: $err" is "$status" 0
+  check "$what: $out" is "$out" "$(printf '%b' "$expected")"
+}
+# helps WORD...: --help ends with 0, says nothing on standard error, and names every word.
+helps() {
+  local word
+  run "" --help
+  check "--help: exit 0" is "$status" 0
+  check "--help: silent on standard error" is "$err" ""
+  for word; do check "--help names $word" has "$out" "$word"; done
+}
+# The value of a line `name: value` of the output.
+line() { sed -n "s/^$1: //p" .out; }
 files() { find . ! -name .out ! -name .err \( -type f -o -type l \) | sort; }
 
 # strange_models arguments...: the program reads models as others write them (a tetrahedron whose vertices have colours, one

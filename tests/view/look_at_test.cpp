@@ -6,15 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#ifdef IRG_HAVE_GLM
-#include <glm/glm.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#endif
-
 #include <irg/view/camera_frame.hpp>
 
 #include "support/check_both.hpp"
 #include "support/orthonormal.hpp"
+#include "support/own_types.hpp"
 #include "support/random.hpp"
 
 using irg::identity;

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -86,3 +87,27 @@ TEST_CASE("textbook::barycentric_direct: equal to the robust form for points of 
 }
 
 }  // namespace
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("textbook::barycentric_direct: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("barycentric_direct"), 0.5,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        const auto got = irg::textbook::barycentric_direct(p[0], p[1], p[2], p[3]);
+        const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]), t = exactly(p[3]);
+        const E whole = determinant(a, b, c),
+                over[3] = {determinant(t, b, c), determinant(a, t, c), determinant(a, b, t)};
+        bool is_beyond = whole.sign() == 0;
+        for (const E& v : over) is_beyond = is_beyond || abs(whole) * test::quotients::largest<T>() < abs(v);
+        if (!got) return is_beyond ? 0.0 : wrong;
+        double worst = is_beyond ? wrong : 0;
+        for (int k = 0; k < 3; ++k) worst = std::fmax(worst, quotient_error((*got)[k], over[k], whole));
+        return worst;
+      },
+      2000);
+}
+
+#endif

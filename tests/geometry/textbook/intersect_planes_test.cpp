@@ -3,6 +3,7 @@
 
 #include <irg/geometry/textbook/planes.hpp>
 
+#include "geometry/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/rational.hpp"
 
@@ -42,3 +43,37 @@ TEST_CASE("textbook::intersect_planes: Hank's values") {
                                              irg::parametric_plane<double>{{1, 1, 1}, {2, 2, 0}, {0, 0, 0}})
                  .relation == flat_relation::none);
 }
+
+#ifdef IRG_HAVE_MPFR
+
+TEST_CASE_TEMPLATE("textbook::intersect_planes: numbers of all sizes", T, double, float) {
+  using namespace test::mixed;
+  sweep(
+      named<T>("textbook::intersect_planes"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 6>(r, which);
+        place<3> e[6];
+        for (std::size_t i = 0; i < 6; ++i) e[i] = exactly(p[i]);
+        const irg::parametric_plane<T> one{to_vec(p[0]), to_vec(p[1]), p[2]}, two{to_vec(p[3]), to_vec(p[4]), p[5]};
+        const auto got = irg::textbook::intersect_planes(one, two);
+        const auto n = minors(e[0], e[1]);
+        const bool exist = !all_zero(n) && !all_zero(minors(e[3], e[4]));
+        const bool crossing = exist && !(dot(n, e[3]).sign() == 0 && dot(n, e[4]).sign() == 0);
+        if ((got.relation == irg::flat_relation::crossing) != crossing) return wrong;
+        if (!crossing) return 0.0;
+        const bool hold_s4 = dot(n, e[3]).sign() != 0;
+        const place<3>&along = e[hold_s4 ? 3 : 4], &held = e[hold_s4 ? 4 : 3];
+        const E whole = dot(n, along);
+        double worst = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const E zero = e[5][k] * whole + along[k] * dot(n, e[2] - e[5]);
+          const E one_held = zero + held[k] * whole - along[k] * dot(n, held);
+          worst = std::fmax(worst, quotient_error(got.at_zero[static_cast<int>(k)], zero, whole));
+          worst = std::fmax(worst, quotient_error(got.at_one[static_cast<int>(k)], one_held, whole));
+        }
+        return worst;
+      },
+      1000);
+}
+
+#endif

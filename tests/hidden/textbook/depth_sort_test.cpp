@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <irg/hidden/textbook/depth_sort.hpp>
 
-#include <array>
 #include <limits>
 
-#include <irg/geometry/clip_sutherland_hodgman.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 
 #include "support/check_both.hpp"
@@ -110,8 +108,7 @@ TEST_CASE("depth sort: three rods in turn are split, in constant evaluation too"
   CHECK(t.torn == 0);
   CHECK(t.splits >= 1);
   constexpr auto parts = [] {
-    const std::array<std::array<irg::point<double, 3>, 3>, 2> crossing{
-        {{{{0, 0, 0}, {8, 0, 8}, {0, 8, 0}}}, {{{0, 0, 4}, {8, 0, 0}, {0, 8, 4}}}}};
+    const std::vector<ring> crossing{{{0, 0, 0}, {8, 0, 8}, {0, 8, 0}}, {{0, 0, 4}, {8, 0, 0}, {0, 8, 4}}};
     return irg::textbook::depth_sort(crossing).size();
   };
   CHECK_BOTH(parts() == 3);
@@ -143,25 +140,6 @@ TEST_CASE("depth sort: the last polygon drawn at a place is the nearest there, o
   CHECK(t.splits > scenes);
   CHECK(t.moved > scenes);
   CHECK(t.covered > 20 * scenes);
-}
-
-TEST_CASE("depth sort: the area in common is that of Sutherland and Hodgman's clipping, whichever way corners run") {
-  test::random rnd(61);
-  int common = 0;
-  for (int trial = 0; trial < 2000; ++trial) {
-    ring p, q;
-    for (ring* r : {&p, &q})
-      for (int i = 0; i < 3; ++i)
-        r->push_back({double(rnd.integer(-9, 9)), double(rnd.integer(-9, 9)), double(rnd.integer(-99, 99))});
-    const auto flat_q = irg::detail::without_depth(q);
-    if (irg::polygon_area(flat_q) == 0) continue;
-    const double area = irg::detail::area_in_common(p, q);
-    const double expected = irg::polygon_area(irg::clip_sutherland_hodgman(irg::detail::without_depth(p), flat_q));
-    const double off = area - (expected < 0 ? -expected : expected);
-    CHECK((off < 1e-12 && -1e-12 < off));
-    common += area > 0 ? 1 : 0;
-  }
-  CHECK(test::enough(common > 800));
 }
 
 TEST_CASE("depth sort: polygons 1e-300 and 1e300 large end, too") {

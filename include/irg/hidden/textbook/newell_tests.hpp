@@ -11,18 +11,21 @@
 #include <irg/geometry/polygons_overlap.hpp>
 #include <irg/hidden/vocabulary.hpp>
 
-namespace irg::detail::inline IRG_ABI {
+namespace irg::textbook {
 
-// Three corners of a polygon's plane; up is 1 where they run counter-clockwise for the viewer, -1 where clockwise,
-// and 0 for a polygon that is seen edge on, of whose plane neither side is the viewer's.
+/// Three corners of a polygon's plane; up is 1 where they run counter-clockwise for the viewer, -1 where clockwise,
+/// and 0 for a polygon that is seen edge on, of whose plane neither side is the viewer's.
 template <Scalar T>
 struct visible_plane {
   point<T, 3> p{}, q{}, r{};
   int up = 0;
 };
 
+inline namespace IRG_ABI {
+
+/// A polygon as the viewer sees it.
 template <SpaceRing R>
-constexpr std::vector<point<ring_scalar<R>, 2>> without_depth(const R& ring) {
+[[nodiscard]] constexpr std::vector<point<ring_scalar<R>, 2>> without_depth(const R& ring) {
   std::vector<point<ring_scalar<R>, 2>> flat;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const auto& p = ring_vertex(ring, i);
@@ -31,8 +34,9 @@ constexpr std::vector<point<ring_scalar<R>, 2>> without_depth(const R& ring) {
   return flat;
 }
 
+/// The plane of a polygon's first corner and the first two after it with which it has area on the screen.
 template <SpaceRing R>
-constexpr visible_plane<ring_scalar<R>> visible_plane_of(const R& ring) {
+[[nodiscard]] constexpr visible_plane<ring_scalar<R>> visible_plane_of(const R& ring) {
   const auto flat = without_depth(ring);
   const auto at = [&](std::size_t i) { return to_point(ring_vertex(ring, i)); };
   for (std::size_t i = 1; i < flat.size(); ++i)
@@ -41,30 +45,25 @@ constexpr visible_plane<ring_scalar<R>> visible_plane_of(const R& ring) {
   return {};
 }
 
-// Where a point lies: 1 on the viewer's side of the plane, -1 on the other, 0 in it or where neither is the viewer's.
+/// Where a point lies: 1 on the viewer's side of the plane, -1 on the other, 0 in it or where neither is the viewer's.
 template <Scalar T>
-constexpr int viewed_side(const visible_plane<T>& plane, const point<T, 3>& c) noexcept {
+[[nodiscard]] constexpr int viewed_side(const visible_plane<T>& plane, const point<T, 3>& c) noexcept {
   return plane.up * orient3d(plane.p, plane.q, plane.r, c);
 }
 
-// Whether a ring has a corner on a side of the plane.
+/// Whether a ring has a corner on a side of the plane.
 template <SpaceRing R>
-constexpr bool has_corner_on(const R& ring, const visible_plane<ring_scalar<R>>& plane, int side) {
+[[nodiscard]] constexpr bool has_corner_on(const R& ring, const visible_plane<ring_scalar<R>>& plane, int side) {
   for (std::size_t i = 0; i < ring_size(ring); ++i)
     if (viewed_side(plane, to_point(ring_vertex(ring, i))) == side) return true;
   return false;
 }
 
-}  // namespace irg::detail::inline IRG_ABI
-
-namespace irg::textbook::inline IRG_ABI {
-
 /// Whether a test says that P does not hide Q.
 /// needs   one of the first five of newell_step, and simple flat polygons with finite coordinates
 /// gives   true for extents and projections that touch, but have no area in common; corners on a plane count for either
 ///         side. Of a polygon that is seen edge on the plane tests say nothing: its projection has no area
-/// exact   for the corners as they are; a polygon's plane is that of its first corner and the first two after it with
-///         which it has area on the screen
+/// exact   for the corners as they are; a polygon's plane is visible_plane_of
 /// cost    linear, but for the last: that of polygons_overlap. Allocates
 /// source  Hidden-surface slides, after Newell, Newell and Sancha 1972
 template <SpaceRing P, SpaceRing Q>
@@ -77,10 +76,10 @@ template <SpaceRing P, SpaceRing Q>
   }
   if (test == newell_step::behind_plane || test == newell_step::in_front_of_plane) {
     const bool behind = test == newell_step::behind_plane;
-    const auto plane = behind ? detail::visible_plane_of(q) : detail::visible_plane_of(p);
-    return plane.up != 0 && !(behind ? detail::has_corner_on(p, plane, 1) : detail::has_corner_on(q, plane, -1));
+    const auto plane = behind ? visible_plane_of(q) : visible_plane_of(p);
+    return plane.up != 0 && !(behind ? has_corner_on(p, plane, 1) : has_corner_on(q, plane, -1));
   }
-  return polygons_overlap(detail::without_depth(p), detail::without_depth(q)) != polygon_overlap::overlapping;
+  return polygons_overlap(without_depth(p), without_depth(q)) != polygon_overlap::overlapping;
 }
 
 /// What the list has to do with P and Q: the first of the five tests that says that P does not hide Q; `moved`, Q
@@ -94,4 +93,5 @@ template <SpaceRing P, SpaceRing Q>
   return newell_step::moved;
 }
 
-}  // namespace irg::textbook::inline IRG_ABI
+}  // namespace IRG_ABI
+}  // namespace irg::textbook
