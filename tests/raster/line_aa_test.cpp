@@ -291,8 +291,8 @@ TEST_CASE("line_aa: the plain kernel and the lanes give the same coverages") {
     const auto [a, b] = random.line();
     const line_aa_options o = random.options();
     coverages plain(w);
-    irg::detail::aa_span_writer<float, coverages> writer{plain};
-    if (!irg::detail::aa_draw_slender(a, b, o, w, writer)) irg::detail::aa_line(a, b, o, w, writer);
+    irg::detail::area_span_target<coverages> target{plain};
+    irg::detail::aa_line<float>(a, b, o, w, target);
     REQUIRE(plain.value == covered(a, b, w, o).value);
   }
 }

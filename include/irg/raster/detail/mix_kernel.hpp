@@ -145,9 +145,9 @@ IRG_INLINE mix_halves_of<N> load_coverages(const std::uint8_t* coverage) noexcep
 
 // Mixes count pixels from first on.
 template <class P>
-IRG_INLINE void mix_run(P* first, std::size_t count, const std::uint8_t* coverage, const P& value) noexcept {
+IRG_INLINE void mix_run(P* first, std::size_t count, const std::uint8_t* coverage,
+                        const mix_colour<mix_lanes>& colour) noexcept {
   constexpr int step = mix_lanes;
-  const mix_colour<step> colour = prepare_mix(value);
   std::size_t i = 0;
   for (; i + step <= count; i += step) mix_all<step>(first + i, colour, load_coverages<step>(coverage + i));
   if (i == count) return;
@@ -167,7 +167,7 @@ inline namespace IRG_ABI {
 template <Mixable P>
 IRG_INLINE constexpr void mix_pixels(P* first, std::size_t count, const std::uint8_t* coverage, const P& value) {
   if constexpr (detail::mixes_in_lanes<P>) {
-    if (!std::is_constant_evaluated()) return detail::mix_run(first, count, coverage, value);
+    if (!std::is_constant_evaluated()) return detail::mix_run(first, count, coverage, detail::prepare_mix(value));
   }
   for (std::size_t i = 0; i < count; ++i) first[i] = mix(first[i], value, coverage[i]);
 }

@@ -1,20 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Where the rows of an antialiased line go: to a sink as runs of coverages, or mixed straight into a raster's row.
-// A writer runs over the raster's row y, columns [first, last); column x is pixel sign * (x - origin) of
-// `row`, which gives 1/2 + 255 * the covered area of a pixel or of several at once.
-#pragma once
-
-#include <array>
-#include <bit>
-
-#include <irg/core/sinks.hpp>
-#include <irg/raster/detail/line_aa_shape.hpp>
-#include <irg/raster/detail/mix_kernel.hpp>
-#include <irg/raster/paint.hpp>
-#include <irg/raster/window.hpp>
-
-namespace irg::detail::inline IRG_ABI {
-
 // Antialiased lines about one pixel wide and not too long, seen along their longer axis: of each step along it, such a
 // line touches four pixels aside at most.
 //
@@ -27,11 +11,25 @@ namespace irg::detail::inline IRG_ABI {
 //     C(j) = the mean over the step of max(j - L, 0) - max(j - R, 0)
 // and a pixel's area is C(j + 1) - C(j). L consists of the cap and a long edge, R is the other long edge.
 
-// Towards zero.
+#pragma once
+
+#include <array>
+#include <bit>
+
+#include <irg/core/sinks.hpp>
+#include <irg/math/sqrt.hpp>
+#include <irg/raster/detail/area_targets.hpp>
+#include <irg/raster/line_style.hpp>
+#include <irg/raster/subpixel.hpp>
+
+namespace irg::detail::inline IRG_ABI {
+
+// Coverage is computed in 255ths with 1/2 added, ready to be truncated.
+inline constexpr float aa_full = 255.0f, aa_half = 0.5f;
+
+// Four numbers at once where F is a pack, one after the other where it is one number.
 template <class F>
-IRG_INLINE constexpr auto aa_truncate(const F& x) noexcept {
-  return converted<std::int32_t>(x);
-}
+using aa_four = std::conditional_t<std::is_same_v<F, float>, float, pack<float, 4>>;
 
 // Four bytes in one word, a the lowest.
 template <class J>
@@ -136,12 +134,12 @@ struct aa_slender {
     // 4 and 8 are added so that what is truncated is positive.
     const F u = product(fraction(start_u), unit) + all(4.0f), v = product(fraction(start_v), unit) + all(8.0f);
     // The cap ends and the lower long edge begins at `low`, the cap and the upper long edge begin at `high`.
-    const F end = u + all(before), top = to_float(aa_truncate(end)) + lanes<F>::load(earlier + e), low = end - top,
-            high = low - all(cap);
+    const F end = u + all(before), top = to_float(converted<std::int32_t>(end)) + lanes<F>::load(earlier + e),
+            low = end - top, high = low - all(cap);
     const F low_from = low_of(low, one), high_from = high_of(low_of(high, one), zero);
     const F low_part = one - low_from, high_part = one - high_from, cap_part = low_from - high_from;
     const F edge = (v - all(0.5f * across)) + product(m, top - u);  // the lower edge, seen from the step's top
-    const F column = to_float(aa_truncate(edge)), x = edge - column;
+    const F column = to_float(converted<std::int32_t>(edge)), x = edge - column;
     const F low_x = x + product(m, low_from), high_x = (x + all(across)) + product(m, high_from),
             cap_x = (x + product(m, low)) + product(low - low_from, per);
     const F low_rise = product(m, low_part), high_rise = product(m, high_part), cap_rise = product(cap_part, per);
@@ -162,10 +160,10 @@ struct aa_slender {
     const F whole = (product(low_full, (four - low_x) - product(low_rise, half)) +
                      product(cap_full, (four - cap_x) - product(cap_rise, half))) -
                     product(high_full, (four - high_x) - product(high_rise, half));
-    const integers p0 = aa_truncate(c1 + half), p1 = aa_truncate((c2 - c1) + half), p2 = aa_truncate((c3 - c2) + half),
-                   p3 = aa_truncate((whole - c3) + half);
-    const integers i = (start_u >> subpixel_bits) + aa_truncate(top - all(4.0f)),
-                   j = (start_v >> subpixel_bits) + aa_truncate(column - all(8.0f));
+    const integers p0 = converted<std::int32_t>(c1 + half), p1 = converted<std::int32_t>((c2 - c1) + half),
+                   p2 = converted<std::int32_t>((c3 - c2) + half), p3 = converted<std::int32_t>((whole - c3) + half);
+    const integers i = (start_u >> subpixel_bits) + converted<std::int32_t>(top - all(4.0f)),
+                   j = (start_v >> subpixel_bits) + converted<std::int32_t>(column - all(8.0f));
     const integers turned = aa_word(p3, p2, p1, p0), straight = aa_word(p0, p1, p2, p3);
     lanes<integers>::store(ends.along + e, i ^ turn_u);
     lanes<integers>::store(ends.aside + e, (j ^ turn_v) - (turn_v & 3));
@@ -208,9 +206,10 @@ constexpr aa_step aa_step_between(const aa_slender<F>& s, const aa_slender_steps
   const int column = (s.walk + s.walk_step * i) >> aa_slender<F>::walk_bits;
   aa_step step{s.first + i, s.middle + column, 0};
   for (unsigned e = 0; e < 4; e += count) {
-    step.coverage |= aa_bytes(aa_truncate(steps(lanes<F>::load(s.aside + e), all(static_cast<float>(column)),
-                                                all(s.along + static_cast<float>(i)))),
-                              e);
+    step.coverage |=
+        aa_bytes(converted<std::int32_t>(steps(lanes<F>::load(s.aside + e), all(static_cast<float>(column)),
+                                               all(s.along + static_cast<float>(i)))),
+                 e);
   }
   return step;
 }
@@ -229,35 +228,34 @@ IRG_INLINE constexpr std::array<std::uint8_t, 8> aa_in_memory(std::uint32_t word
       << 32);
 }
 
-// A row's pixels as far as the window holds them.
-template <class Writer>
-IRG_INLINE constexpr void aa_write_bytes(const cell_window& w, Writer& writer, int y, int first, int last,
-                                         const std::uint8_t* coverage) {
-  const int from = greater(first, w.x_first), to = lesser(last, w.x_last);
-  if (y >= w.y_first && y < w.y_last && from < to) writer.bytes(y, from, to, coverage + (from - first));
+// A row's pixels from column `first` to `last` as far as the window holds them.
+template <class Target>
+IRG_INLINE constexpr void aa_send_bytes(Target& target, const cell_window& w, const coverage_span& s) {
+  const int from = greater(s.x_first, w.x_first), to = lesser(s.x_last, w.x_last);
+  if (s.y >= w.y_first && s.y < w.y_last && from < to) target.run({s.y, from, to, s.coverage + (from - s.x_first)});
 }
 
 // The steps of a steep slender line: each a row.
-template <class Writer>
-constexpr void aa_write_steep(const aa_slender<typename Writer::four>& s, const cell_window& w, Writer& writer) {
-  const aa_slender_steps<typename Writer::four> between(s);
-  const auto write = [&](const aa_step& e) {
-    aa_write_bytes(w, writer, e.along, e.aside, e.aside + 4, aa_in_memory(e.coverage).data());
+template <class F, class Target>
+constexpr void aa_send_steep(const aa_slender<F>& s, const cell_window& w, Target& target) {
+  const aa_slender_steps<F> between(s);
+  const auto send = [&](const aa_step& e) {
+    aa_send_bytes(target, w, {e.along, e.aside, e.aside + 4, aa_in_memory(e.coverage).data()});
   };
-  for (unsigned k = 0; k < 4; ++k) write(aa_end_step(s, k));
+  for (unsigned k = 0; k < 4; ++k) send(aa_end_step(s, k));
   const int first = greater(w.y_first, s.first), last = lesser(w.y_last, s.first + s.steps);
-  for (int y = first; y < last; ++y) write(aa_step_between(s, between, y - s.first));
+  for (int y = first; y < last; ++y) send(aa_step_between(s, between, y - s.first));
 }
 
 // The steps of a flat one, each a column: gathered into rows.
-template <class Writer>
-constexpr void aa_write_flat(const aa_slender<typename Writer::four>& s, const cell_window& w, Writer& writer) {
+template <class F, class Target>
+constexpr void aa_send_flat(const aa_slender<F>& s, const cell_window& w, Target& target) {
   constexpr unsigned most = aa_slender_flat / one_pixel + 12;  // at most 4 pixels beyond each end, 4 to a step
   struct row {
     int first = most, last = 0;
     std::uint8_t coverage[most] = {};
   };
-  const aa_slender_steps<typename Writer::four> between(s);
+  const aa_slender_steps<F> between(s);
   const int x = s.first - 2;
   int y = s.ends.aside[0], y_last = y;
   for (const int a : s.ends.aside) {
@@ -277,14 +275,103 @@ constexpr void aa_write_flat(const aa_slender<typename Writer::four>& s, const c
   for (int i = 0; i < s.steps; ++i) gather(aa_step_between(s, between, i));
   for (int i = 0; i < y_last - y; ++i) {
     const row& r = rows[i];
-    aa_write_bytes(w, writer, y + i, x + r.first, x + r.last, r.coverage + r.first);
+    aa_send_bytes(target, w, {y + i, x + r.first, x + r.last, r.coverage + r.first});
   }
 }
 
+// Slender lines that the window holds with some pixels around them are mixed in four pixels at a time, where they are.
+
+template <class Target>
+inline constexpr bool mixes_slender = false;
+template <class R>
+inline constexpr bool mixes_slender<area_mix_target<R>> = EvenRowRaster<R>;
+
+// How four pixels are read and written that lie side by side, or above each other.
+struct aa_beside {
+  using W = lanes<mix_words_of<4>>;
+  IRG_INLINE mix_words_of<4> read(const unsigned char* p) const noexcept { return W::load_bytes(p); }
+  IRG_INLINE void write(unsigned char* p, const mix_words_of<4>& w) const noexcept { W::store_bytes(p, w); }
+};
+struct aa_above {
+  std::ptrdiff_t pitch;
+  IRG_INLINE mix_words_of<4> read(const unsigned char* p) const noexcept {
+    const auto one = [&](int i) { return lanes<std::uint32_t>::load_bytes(p + i * pitch); };
+    return pack_of(one(0), one(1), one(2), one(3));
+  }
+  IRG_INLINE void write(unsigned char* p, const mix_words_of<4>& w) const noexcept {
+    for (int i = 0; i < 4; ++i) lanes<std::uint32_t>::store_bytes(p + i * pitch, w[i]);
+  }
+};
+
+// The steps of a slender line, two at a time where registers hold eight pixels. From a step to the next and from a
+// pixel aside to the next it is so many bytes; place(along, aside): where a pixel is.
+template <class Fours, class Place>
+IRG_INLINE void aa_mix_steps(const aa_slender<pack<float, 4>>& s, const mix_colour<mix_lanes>& colour,
+                             std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes, const Fours& fours,
+                             const Place& place) noexcept {
+  constexpr int N = mix_lanes, at_once = N / 4, bits = aa_slender<pack<float, 4>>::walk_bits;
+  using F = pack<float, N>;
+  const auto mix = [&](unsigned char* p, unsigned char* q, const mix_halves_of<N>& coverage) {
+    if constexpr (at_once == 2) {
+      const auto both = shuffled<0, 1, 2, 3, 4, 5, 6, 7>(fours.read(p), fours.read(q));
+      const auto mixed = mix_words<N>(both, colour, coverage);
+      fours.write(p, low_half(mixed));
+      fours.write(q, high_half(mixed));
+    } else {
+      fours.write(p, mix_words<N>(fours.read(p), colour, coverage));
+    }
+  };
+  for (int k = 0; k < 4; k += at_once) {
+    unsigned char* const p = place(s.ends.along[k], s.ends.aside[k]);
+    if constexpr (at_once == 2)
+      mix(p, place(s.ends.along[k + 1], s.ends.aside[k + 1]),
+          load_coverages<N>(reinterpret_cast<const std::uint8_t*>(s.ends.coverage + k)));
+    else
+      mix(p, p, load_coverages<N>(aa_in_memory(static_cast<std::uint32_t>(s.ends.coverage[k])).data()));
+  }
+  const auto by_step = [](float x, float y) {
+    if constexpr (at_once == 2)
+      return pack_of(x, x, x, x, y, y, y, y);
+    else
+      return lanes<F>::broadcast(x);
+  };
+  const aa_slender_steps<F> steps(s);
+  const F aside = repeated<N>(lanes<pack<float, 4>>::load(s.aside));
+  unsigned char* there = place(s.first, s.middle);
+  std::int32_t walk = s.walk;
+  float along = s.along;
+  for (int n = s.steps; n > 0; n -= at_once) {
+    const int c0 = walk >> bits, c1 = (walk + s.walk_step) >> bits;
+    auto coverage = converted<std::int32_t>(
+        steps(aside, by_step(static_cast<float>(c0), static_cast<float>(c1)), by_step(along, along + 1.0f)));
+    // Of an odd number, the last is taken with a step behind it that gets coverage 0: a loop for it alone would cost
+    // more, being mistaken half the time.
+    if constexpr (at_once == 2) coverage = coverage & (pack_of(0, 0, 0, 0, 1, 1, 1, 1) < n);
+    mix(there + c0 * aside_bytes, there + along_bytes + c1 * aside_bytes, in_both_halves<N>(coverage));
+    walk += at_once * s.walk_step;
+    along += static_cast<float>(at_once);
+    there += at_once * along_bytes;
+  }
+}
+
+// Step i of a steep line is row i, its pixels lie side by side; of a flat one it is column i, they lie above each other.
+template <class R>
+IRG_INLINE void aa_mix_slender(const area_mix_target<R>& target, const aa_slender<pack<float, 4>>& s,
+                               bool steep) noexcept {
+  const std::ptrdiff_t pitch = bytes_per_row_of(target.raster), size = sizeof(pixel_of<R>);
+  const auto place = [&](int x, int y) {
+    return reinterpret_cast<unsigned char*>(raster_traits<R>::row(target.raster, y) + x);
+  };
+  if (steep)
+    aa_mix_steps(s, target.colour, pitch, size, aa_beside{}, [&](int y, int x) { return place(x, y); });
+  else
+    aa_mix_steps(s, target.colour, size, pitch, aa_above{pitch}, place);
+}
+
 // Draws the line if it is slender, and nothing at all if it lies beside the window; false when that is left to others.
-template <class Writer>
+template <class F, class Target>
 IRG_INLINE constexpr bool aa_draw_slender(const subpixel& a, const subpixel& b, const line_aa_options& options,
-                                          const cell_window& w, Writer& writer) {
+                                          const cell_window& w, Target& target) {
   const std::int32_t left = lesser(a.x, b.x), right = greater(a.x, b.x), top = lesser(a.y, b.y),
                      bottom = greater(a.y, b.y);
   // Pixels beyond the ends that may be written. The sides are counted, so that there is one branch for all of them.
@@ -300,250 +387,20 @@ IRG_INLINE constexpr bool aa_draw_slender(const subpixel& a, const subpixel& b, 
     return false;
   const bool inside = x_first >= w.x_first && x_last < w.x_last && y_first >= w.y_first && y_last < w.y_last;
   const subpixel from = steep ? subpixel{a.y, a.x} : a, to = steep ? subpixel{b.y, b.x} : b;
-  const aa_slender<typename Writer::four> s(from, to, options.width, options.caps);
+  const aa_slender<aa_four<F>> s(from, to, options.width, options.caps);
   if (!s.fits) return false;
-  if constexpr (Writer::writes_slender) {
+  if constexpr (mixes_slender<Target>) {
     if (inside) {
-      if (steep)
-        writer.steep_inside(s);
-      else
-        writer.flat_inside(s);
+      aa_mix_slender(target, s, steep);
       return true;
     }
   }
   if (w.empty()) return true;
   if (steep)
-    aa_write_steep(s, w, writer);
+    aa_send_steep(s, w, target);
   else
-    aa_write_flat(s, w, writer);
+    aa_send_flat(s, w, target);
   return true;
 }
-
-// The pixels that one call of a row computes.
-using aa_lanes = pack<float, native_lanes<float>>;
-using aa_four = pack<float, 4>;
-
-// The number of pixel x + i in lane i. Exact: no line has 2^24 pixels in a row.
-template <class F>
-IRG_INLINE constexpr F aa_indices(int x, int origin, int sign) noexcept {
-  const F i = lanes<F>::ramp(), k = lanes<F>::broadcast(static_cast<float>(sign * (x - origin)));
-  return sign > 0 ? k + i : k - i;
-}
-
-// Emits coverage spans of a few hundred pixels at most. F is float in constant evaluation.
-template <class F, class Sink>
-struct aa_span_writer {
-  using number = F;
-  using four = std::conditional_t<std::is_same_v<F, float>, float, aa_four>;
-  static constexpr bool writes_whole_chunks = false, writes_slender = false;
-  static constexpr int capacity = 256;
-  Sink& sink;
-  std::uint8_t coverage[capacity + lanes<F>::count] = {};
-
-  template <class G, class Row>
-  constexpr void run(int y, int first, int last, int origin, int sign, const Row& row) {
-    constexpr int count = lanes<G>::count;
-    for (int x = first; x < last; x += capacity) {
-      const int n = lesser(capacity, last - x);
-      for (int i = 0; i < n; i += count) {
-        const auto c = aa_truncate(row(aa_indices<G>(x + i, origin, sign)));
-        for (int lane_of_it = 0; lane_of_it < count; ++lane_of_it)
-          coverage[i + lane_of_it] = static_cast<std::uint8_t>(lane(c, lane_of_it));
-      }
-      sink(coverage_span{y, x, x + n, coverage});
-    }
-  }
-  constexpr void bytes(int y, int first, int last, const std::uint8_t* c) { sink(coverage_span{y, first, last, c}); }
-};
-
-// Mixes a colour into the pixels of a row, a register at a time. Pixels of the window next to the run's last are
-// written, too, with what they hold: their coverage is 0. No pixel outside the window is touched.
-template <class R>
-struct aa_mixing_writer {
-  using number = aa_lanes;
-  using four = aa_four;
-  static constexpr bool writes_whole_chunks = true;
-  using pixel = pixel_of<R>;
-  R& raster;
-  const pixel& value;
-  int x_last;  // of the window
-  mix_colour<lanes<number>::count> wide;
-  mix_colour<4> narrow;
-
-  IRG_INLINE aa_mixing_writer(R& r, const pixel& v, const cell_window& w) noexcept
-      : raster(r), value(v), x_last(w.x_last), wide(prepare_mix<lanes<number>::count>(v)), narrow(prepare_mix<4>(v)) {}
-
-  template <class F>
-  IRG_INLINE void mix_chunk(pixel* there, const F& coverage) const noexcept {
-    constexpr int count = lanes<F>::count;
-    const auto c = in_both_halves<count>(aa_truncate(coverage));
-    if constexpr (count == 4)
-      mix_all<count>(there, narrow, c);
-    else
-      mix_all<count>(there, wide, c);
-  }
-
-  template <class F, class Row>
-  IRG_INLINE void run(int y, int first, int last, int origin, int sign, const Row& row) const noexcept {
-    constexpr int count = lanes<F>::count;
-    pixel* const line = raster_traits<R>::row(raster, y);
-    int x = first;
-    for (; x < last && x_last - x >= count; x += count) mix_chunk<F>(line + x, row(aa_indices<F>(x, origin, sign)));
-    if (x >= last) return;
-    float rest[static_cast<unsigned>(count)];
-    lanes<F>::store(rest, row(aa_indices<F>(x, origin, sign)));
-    for (int i = 0; x < last; ++x, ++i) line[x] = mix(line[x], value, static_cast<std::uint8_t>(aa_truncate(rest[i])));
-  }
-
-  // A run of `length` pixels from column `origin` on in direction `sign`.
-  // needs   the window holds it and as many pixels behind it as fill the last chunk
-  template <class F, class Row>
-  IRG_INLINE void run_inside(int y, int length, int origin, int sign, const Row& row) const noexcept {
-    constexpr int count = lanes<F>::count;
-    pixel* there = raster_traits<R>::row(raster, y) + (sign > 0 ? origin : origin - (count - 1));
-    F k = aa_indices<F>(sign > 0 ? 0 : 1 - count, 0, sign);
-    for (int done = 0; done < length; done += count, there += sign * count) {
-      mix_chunk<F>(there, row(k));
-      k = k + lanes<F>::broadcast(static_cast<float>(count));
-    }
-  }
-
-  // `rows` rows from y on between the caps of a thin line.
-  // needs   as run_inside; runs of count pixels or less when Single
-  template <bool Single, class F>
-  IRG_INLINE void thin_rows_inside(int y, int sign_y, int rows, int base, int sign, aa_walk walk, std::int64_t reach,
-                                   aa_thin_row<F> row) const noexcept {
-    constexpr int count = lanes<F>::count;
-    const int aside = sign > 0 ? 0 : 1 - count;
-    const F fixed = row.before_shift(aa_indices<F>(aside, 0, sign));
-    for (; rows > 0; --rows, y += sign_y, walk.x += walk.step) {
-      row.enter(walk.fraction());
-      const int column = walk.column();
-      const int origin = base + (sign > 0 ? column : -column);
-      if constexpr (Single)
-        mix_chunk<F>(raster_traits<R>::row(raster, y) + origin + aside, row.shifted(fixed));
-      else
-        run_inside<F>(y, walk.end_column(reach) - column, origin, sign, row);
-    }
-  }
-};
-
-// Mixes a colour into the pixels of a slender line.
-template <class R>
-struct aa_slender_writer {
-  using four = aa_four;
-  static constexpr bool writes_slender = EvenRowRaster<R>;
-  using pixel = pixel_of<R>;
-  R& raster;
-  const pixel& value;
-  static constexpr int pixels_at_once = native_lanes<std::uint32_t>;  // of eight, two steps are taken at once
-  mix_colour<pixels_at_once> colour;
-
-  IRG_INLINE aa_slender_writer(R& r, const pixel& v) noexcept
-      : raster(r), value(v), colour(prepare_mix<pixels_at_once>(v)) {}
-
-  IRG_INLINE void bytes(int y, int first, int last, const std::uint8_t* coverage) const noexcept {
-    mix_run(raster_traits<R>::row(raster, y) + first, static_cast<std::size_t>(last - first), coverage, value);
-  }
-  // Step i is row i, its pixels lie side by side.
-  // needs   the window holds all its fours
-  IRG_INLINE void steep_inside(const aa_slender<four>& s) const noexcept {
-    const std::ptrdiff_t pitch = bytes_per_row_of(raster);
-    draw(
-        s, pitch, sizeof(pixel),
-        [&](int k) { return bytes_of(raster_traits<R>::row(raster, s.ends.along[k]) + s.ends.aside[k]); },
-        bytes_of(raster_traits<R>::row(raster, s.first) + s.middle), beside{});
-  }
-  // Step i is column i, its pixels lie above each other.
-  IRG_INLINE void flat_inside(const aa_slender<four>& s) const noexcept {
-    const std::ptrdiff_t pitch = bytes_per_row_of(raster);
-    draw(
-        s, sizeof(pixel), pitch,
-        [&](int k) { return bytes_of(raster_traits<R>::row(raster, s.ends.aside[k]) + s.ends.along[k]); },
-        bytes_of(raster_traits<R>::row(raster, s.middle) + s.first), above{pitch});
-  }
-
-private:
-  using words = mix_words_of<4>;
-  using W = lanes<words>;
-
-  IRG_INLINE static unsigned char* bytes_of(pixel* p) noexcept { return reinterpret_cast<unsigned char*>(p); }
-
-  // How four pixels are read and written that lie side by side, or above each other.
-  struct beside {
-    IRG_INLINE words read(const unsigned char* p) const noexcept { return W::load_bytes(p); }
-    IRG_INLINE void write(unsigned char* p, const words& w) const noexcept { W::store_bytes(p, w); }
-  };
-  struct above {
-    std::ptrdiff_t pitch;
-    IRG_INLINE words read(const unsigned char* p) const noexcept {
-      const auto one = [&](int i) { return lanes<std::uint32_t>::load_bytes(p + i * pitch); };
-      return pack_of(one(0), one(1), one(2), one(3));
-    }
-    IRG_INLINE void write(unsigned char* p, const words& w) const noexcept {
-      for (int i = 0; i < 4; ++i) lanes<std::uint32_t>::store_bytes(p + i * pitch, w[i]);
-    }
-  };
-
-  template <class End, class Fours>
-  IRG_INLINE void draw(const aa_slender<four>& s, std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes,
-                       const End& end, unsigned char* there, const Fours& fours) const noexcept {
-    if constexpr (pixels_at_once == 8)
-      draw_by_two(s, along_bytes, aside_bytes, end, there, fours);
-    else
-      draw_by_one(s, along_bytes, aside_bytes, end, there, fours);
-  }
-
-  template <class End, class Fours>
-  IRG_INLINE void draw_by_two(const aa_slender<four>& s, std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes,
-                              const End& end, unsigned char* there, const Fours& fours) const noexcept {
-    constexpr int bits = aa_slender<four>::walk_bits;
-    using eight = pack<float, 8>;
-    const auto mix_two = [&](unsigned char* p, unsigned char* q, const mix_halves_of<8>& coverage) {
-      const auto both = shuffled<0, 1, 2, 3, 4, 5, 6, 7>(fours.read(p), fours.read(q));
-      const auto mixed = mix_words<8>(both, colour, coverage);
-      fours.write(p, low_half(mixed));
-      fours.write(q, high_half(mixed));
-    };
-    for (int k = 0; k < 4; k += 2)
-      mix_two(end(k), end(k + 1), load_coverages<8>(reinterpret_cast<const std::uint8_t*>(s.ends.coverage + k)));
-    const aa_slender_steps<eight> two(s);
-    const eight aside = repeated<8>(lanes<four>::load(s.aside));
-    // Of an odd number, the last is taken with a step behind it that gets coverage 0: a loop for it alone would cost
-    // more, being mistaken half the time.
-    const auto second = pack_of(0, 0, 0, 0, 1, 1, 1, 1);
-    std::int32_t walk = s.walk;
-    float along = s.along;
-    for (int n = s.steps; n > 0; n -= 2, along += 2.0f, walk += 2 * s.walk_step, there += 2 * along_bytes) {
-      const int c0 = walk >> bits, c1 = (walk + s.walk_step) >> bits;
-      const float x0 = static_cast<float>(c0), x1 = static_cast<float>(c1), y1 = along + 1.0f;
-      const eight column = pack_of(x0, x0, x0, x0, x1, x1, x1, x1),
-                  at = pack_of(along, along, along, along, y1, y1, y1, y1);
-      const auto coverage = aa_truncate(two(aside, column, at)) & (second < n);
-      mix_two(there + c0 * aside_bytes, there + along_bytes + c1 * aside_bytes, in_both_halves<8>(coverage));
-    }
-  }
-
-  template <class End, class Fours>
-  IRG_INLINE void draw_by_one(const aa_slender<four>& s, std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes,
-                              const End& end, unsigned char* there, const Fours& fours) const noexcept {
-    constexpr int bits = aa_slender<four>::walk_bits;
-    const auto mix_four = [&](unsigned char* p, const mix_halves_of<4>& coverage) {
-      fours.write(p, mix_words<4>(fours.read(p), colour, coverage));
-    };
-    for (int k = 0; k < 4; ++k)
-      mix_four(end(k), load_coverages<4>(aa_in_memory(static_cast<std::uint32_t>(s.ends.coverage[k])).data()));
-    const aa_slender_steps<four> one(s);
-    const four aside = lanes<four>::load(s.aside);
-    std::int32_t walk = s.walk;
-    float along = s.along;
-    for (int n = s.steps; n > 0; --n, along += 1.0f, walk += s.walk_step, there += along_bytes) {
-      const int column = walk >> bits;
-      mix_four(there + column * aside_bytes,
-               in_both_halves<4>(aa_truncate(
-                   one(aside, lanes<four>::broadcast(static_cast<float>(column)), lanes<four>::broadcast(along)))));
-    }
-  }
-};
 
 }  // namespace irg::detail::inline IRG_ABI
