@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <irg/core/sinks.hpp>
-#include <irg/raster/fill_rule.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>

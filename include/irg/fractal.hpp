@@ -3,7 +3,6 @@
 #pragma once
 
 #include <irg/fractal/escape_picture.hpp>
-#include <irg/fractal/escape_job.hpp>
 #include <irg/fractal/deep_mandelbrot.hpp>
 #include <irg/fractal/precise_mandelbrot.hpp>
 #include <irg/fractal/distance_estimate.hpp>

@@ -27,7 +27,7 @@
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_polygon.hpp>
 #include <irg/raster/fill_polygons.hpp>
-#include <irg/raster/fill_rule.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/raster/textbook/fill_convex.hpp>
 #include <irg/raster/textbook/sample_rule.hpp>
 #include <irg/raster/seed_fill.hpp>
@@ -54,6 +54,5 @@
 #include <irg/raster/pixel_weights.hpp>
 #include <irg/raster/screen_pieces.hpp>
 #include <irg/raster/stroke_font.hpp>
-#include <irg/raster/subpixel.hpp>
 #include <irg/raster/triangle_setup.hpp>
 #include <irg/raster/window.hpp>

@@ -2,9 +2,8 @@
 // spatial: grids of cells and walls in two and three dimensions, trees of segments, of boxes and of triangles for rays.
 #pragma once
 
-#include <irg/spatial/cell3.hpp>
-#include <irg/spatial/cell_grid.hpp>
 #include <irg/spatial/grid_concept.hpp>
+#include <irg/spatial/cell_grid.hpp>
 #include <irg/spatial/walled_grid.hpp>
 #include <irg/spatial/bsp_tree_2d.hpp>
 #include <irg/spatial/bsp_tree_3d.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/fractal/escape_job.hpp>
+#include <irg/fractal/escape_picture.hpp>
 
 #include "support/check_both.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/raster/fill_rule.hpp>
+#include <irg/raster/subpixel.hpp>
 
 #include <array>
 #include <vector>

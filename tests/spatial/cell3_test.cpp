@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/spatial/cell3.hpp>
+#include <irg/spatial/grid_concept.hpp>
 
 #include <limits>
 

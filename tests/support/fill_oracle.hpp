@@ -8,7 +8,7 @@
 
 #include <irg/core/sinks.hpp>
 #include <irg/raster/edge_walk.hpp>
-#include <irg/raster/fill_rule.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>
 
 #include "support/random.hpp"

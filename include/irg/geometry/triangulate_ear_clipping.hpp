@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/geometry/detail/fold.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <irg/core/vocabulary.hpp>
-#include <irg/geometry/detail/fold.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/detail/sweep_order.hpp>
 #include <irg/geometry/orient2d.hpp>

@@ -94,9 +94,9 @@ struct curve_sight {
   // way round where e is the higher one.
   constexpr int planes_turn(grid_edge e, grid_edge f, grid_edge g) const noexcept {
     const turning_edge r = turning(e), s = turning(f), t = turning(g);
-    const auto formula = [](const auto&... points) {
+    const auto formula = [](const auto&... corners) {
       // Each line as rise, run, and the height where it meets the upright line through the last point, times the run.
-      const std::array p{points...};
+      const std::array p{corners...};
       const auto run = [&](std::size_t k) { return p[2 * k + 1].x - p[2 * k].x; };
       const auto rise = [&](std::size_t k) { return p[2 * k + 1].y - p[2 * k].y; };
       const auto height = [&](std::size_t k) {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <irg/io/detail/file_ending.hpp>
+#include <irg/io/detail/text_cursor.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/png.hpp>
 #include <irg/io/ppm.hpp>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <irg/io/body_xml.hpp>
-#include <irg/io/detail/file_ending.hpp>
+#include <irg/io/detail/text_cursor.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/mtl.hpp>
 #include <irg/io/obj.hpp>

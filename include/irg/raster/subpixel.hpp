@@ -8,6 +8,7 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/core/coordinates.hpp>
+#include <irg/core/ring.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/math/vec.hpp>
 
@@ -42,6 +43,17 @@ concept CellPosition = Point<P> && size_of<P> == 2 && std::same_as<scalar_of<P>,
 /// A cell, or what names one.
 template <class P>
 concept CellOrPosition = std::same_as<P, cell> || CellPosition<P>;
+
+// What can be filled. Which side is inside is said by fill_rule, of core/ring.hpp.
+
+/// A ring that can be filled: of snapped positions, or of points of two float or double coordinates, in pixels.
+template <class R>
+concept FillableRing =
+    PolygonRing<R> && (std::same_as<ring_point<R>, subpixel> || (PlaneRing<R> && Floating<ring_scalar<R>>));
+
+/// One ring that can be filled, or any number of them.
+template <class P>
+concept FillablePolygon = FillableRing<P> || (RingSequence<P> && FillableRing<ring_in<P>>);
 
 inline namespace IRG_ABI {
 

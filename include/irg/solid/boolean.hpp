@@ -8,15 +8,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include <irg/core/vocabulary.hpp>
 #include <irg/core/conversion.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/vocabulary.hpp>
+#include <irg/math/exact_sum.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/solid/detail/body_arrangement.hpp>
-#include <irg/solid/detail/seam_remover.hpp>
-#include <irg/solid/detail/shell_sides.hpp>
+#include <irg/solid/detail/body_triangles.hpp>
+#include <irg/solid/detail/exact_vertices.hpp>
+#include <irg/solid/detail/upward_crossings.hpp>
 #include <irg/solid/self_intersections.hpp>
 
 namespace irg {
@@ -68,6 +71,312 @@ struct solid_boolean_result {
   std::vector<solid_corner_origin> corners{};  // of each position
   solid_boolean_counts counts{};  // where status is done
 };
+
+inline namespace IRG_ABI {
+
+/// What two bodies have in common, what is in either, in the first but not the second, or in one of them alone.
+/// shape   triangles: faces of the bodies as triangulate() cuts them, cut where they meet. Equal positions are one
+///         corner; the places of corners, and the faces that triangles come from, are told beside. Triangles of one
+///         plane and one part count as one face: no corner is made on the sides between them, and a new triangle goes
+///         by the number of one of them
+/// needs   meshes in which validate() finds no defect; closed, faces counter-clockwise seen from outside, of no faces
+///         that go through each other; any number of shells, cavities too
+/// gives   always a closed surface, which faces run along every edge of as often one way as the other; empty where
+///         nothing is left. Where bodies touch from outside in an edge or a corner, it belongs to both sides: such an
+///         edge has four faces. Faces that lie on each other count once, or not at all where they part nothing. A
+///         status other than done, and no faces, for what is no body: where it meets nothing, too, for a shell of
+///         negative volume that no other of its body goes round; for bodies that cut themselves where that shows
+/// exact   every decision, for all finite floats and doubles; places of new corners within 1 ulp of each coordinate
+/// cost    O(n log n) for bodies that meet in few places, and what is cut: of two faces of n corners that lie on each
+///         other, as many as n^2 pieces; the first parts are placed by a pass over the other body each, many of them by
+///         a tree of its boxes
+/// source  Zhou et al. 2016 (cut everything, then ask about parts); Attene 2020 (points by what they are made of)
+template <Floating T>
+[[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
+                                                              boolean_operation operation);
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail {
+
+// Takes corners out of a surface that are there only because a plane face was cut: where a diagonal met something, or a
+// body that does not bound the result there. The triangles round such a corner, plane by plane, are cut anew without
+// it, so that faces keep the corners that the bodies have, and nothing else is ever rounded.
+
+/// A triangle of the result.
+struct kept_triangle {
+  std::uint32_t v[3];
+  std::uint32_t source;
+  bool turned, is_there = true;
+};
+
+inline namespace IRG_ABI {
+
+template <class Vertices>
+class seam_remover {
+public:
+  /// needs   is_seam for each vertex; are_level(s, t): whether two triangles of the bodies lie in one plane and look
+  ///         the same way
+  template <class Level>
+  constexpr seam_remover(std::vector<kept_triangle>& surface, Vertices& vertices,
+                         const std::vector<unsigned char>& is_seam, const Level& are_level)
+      : surface_(surface), vertices_(vertices), around_(is_seam.size()), is_seam_(is_seam) {
+    for (std::uint32_t t = 0; t < surface_.size(); ++t) note(t);
+    for (std::uint32_t v = 0; v < is_seam_.size(); ++v)
+      if (is_seam_[v] != 0 && !around_[v].empty()) remove(v, are_level);
+  }
+
+private:
+  // A side seen from the corner that goes: from, to, of which triangle.
+  struct spoke {
+    std::uint32_t from, to, triangle;
+  };
+  // Triangles of one plane side by side: polygon runs round them, without the corner.
+  struct sector {
+    std::vector<std::uint32_t> polygon;
+    std::vector<std::uint32_t> triangles;
+    bool is_closed = false;
+  };
+
+  constexpr void note(std::uint32_t t) {
+    for (const std::uint32_t v : surface_[t].v)
+      if (is_seam_[v] != 0) around_[v].push_back(t);
+  }
+
+  template <class Level>
+  constexpr void remove(std::uint32_t p, const Level& are_level) {
+    spokes_.clear();
+    for (const std::uint32_t t : around_[p]) {
+      const kept_triangle& k = surface_[t];
+      if (!k.is_there) continue;
+      const std::size_t i = k.v[0] == p ? 0 : k.v[1] == p ? 1 : 2;
+      spokes_.push_back({k.v[(i + 1) % 3], k.v[(i + 2) % 3], t});
+    }
+    sectors_.clear();
+    while (!spokes_.empty()) take_sector(are_level);
+    if (!is_straight(p)) return;
+    cuts_.clear();
+    for (const sector& s : sectors_)
+      if (!cut_anew(s)) return;
+    for (const sector& s : sectors_)
+      for (const std::uint32_t t : s.triangles) surface_[t].is_there = false;
+    for (const kept_triangle& k : cuts_) {
+      surface_.push_back(k);
+      note(static_cast<std::uint32_t>(surface_.size() - 1));
+    }
+  }
+
+  // The triangles level with the first that is left and joined to it.
+  template <class Level>
+  constexpr void take_sector(const Level& are_level) {
+    sector s;
+    const spoke first = spokes_.back();
+    spokes_.pop_back();
+    s.polygon = {first.from, first.to};
+    s.triangles = {first.triangle};
+    const kept_triangle level = surface_[first.triangle];
+    for (bool grows = true; grows && !s.is_closed;) {
+      grows = false;
+      for (std::size_t i = 0; i < spokes_.size() && !grows; ++i) {
+        const spoke next = spokes_[i];
+        const bool after = next.from == s.polygon.back(), before = next.to == s.polygon.front();
+        const kept_triangle& k = surface_[next.triangle];
+        if ((!after && !before) || k.turned != level.turned || !are_level(level.source, k.source)) continue;
+        if (after && before)
+          s.is_closed = true;
+        else if (after)
+          s.polygon.push_back(next.to);
+        else
+          s.polygon.insert(s.polygon.begin(), next.from);
+        s.triangles.push_back(next.triangle);
+        spokes_.erase(spokes_.begin() + static_cast<std::ptrdiff_t>(i));
+        grows = true;
+      }
+    }
+    sectors_.push_back(std::move(s));
+  }
+
+  // Whether the corner lies within a plane, or within one edge of all that meet there.
+  constexpr bool is_straight(std::uint32_t p) {
+    std::uint32_t low = no_index, high = no_index, triangle = no_index;
+    for (const sector& s : sectors_) {
+      if (s.is_closed) continue;
+      const std::uint32_t a = lesser(s.polygon.front(), s.polygon.back());
+      const std::uint32_t b = greater(s.polygon.front(), s.polygon.back());
+      if (low == no_index) {
+        low = a;
+        high = b;
+        triangle = surface_[s.triangles.front()].source;
+      }
+      if (low != a || high != b || a == b || s.polygon.size() < 3) return false;
+    }
+    if (low == no_index) return true;
+    const seen_triangle seen = see_triangle(vertices_.at, (*vertices_.triangles)[triangle], triangle);
+    return vertices_.turn(low, p, high, seen.axis) == 0;
+  }
+
+  // Ears come off until none are left.
+  constexpr bool cut_anew(const sector& s) {
+    const kept_triangle& level = surface_[s.triangles.front()];
+    const triangle_indices& plane = (*vertices_.triangles)[level.source];
+    const seen_triangle seen = see_triangle(vertices_.at, plane, level.source);
+    const int direction = level.turned ? -seen.turn : seen.turn;
+    const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      return vertices_.turn(a, b, c, seen.axis) * direction;
+    };
+    std::vector<std::uint32_t> ring = s.polygon;
+    while (ring.size() > 2) {
+      const std::size_t n = ring.size();
+      std::size_t ear = n;
+      for (std::size_t i = 0; i < n && ear == n; ++i) {
+        const std::uint32_t a = ring[i], b = ring[(i + 1) % n], c = ring[(i + 2) % n];
+        if (turn(a, b, c) <= 0) continue;
+        bool is_free = true;
+        for (std::size_t k = 3; k < n && is_free; ++k) {
+          const std::uint32_t q = ring[(i + k) % n];
+          if (q == a || q == b || q == c) return false;  // touches itself
+          is_free = turn(a, b, q) < 0 || turn(b, c, q) < 0 || turn(c, a, q) < 0;
+        }
+        if (is_free) ear = i;
+      }
+      if (ear == n) return false;
+      const std::size_t tip = (ear + 1) % n;
+      cuts_.push_back({{ring[ear], ring[tip], ring[(ear + 2) % n]}, level.source, level.turned});
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(tip));
+    }
+    return true;
+  }
+
+  std::vector<kept_triangle>& surface_;
+  Vertices& vertices_;
+  std::vector<std::vector<std::uint32_t>> around_;
+  const std::vector<unsigned char>& is_seam_;
+  std::vector<spoke> spokes_;
+  std::vector<sector> sectors_;
+  std::vector<kept_triangle> cuts_;
+};
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
+
+namespace irg::detail::inline IRG_ABI {
+
+// Which bodies have a shell that is turned inside out: one of negative volume, by an exact sign, that is no cavity.
+// What cutting bodies at each other shows of that only where they meet is found here for all shells.
+
+// Triangles by shells, those of a body one after another: joined along sides, also those of four faces.
+struct body_shells {
+  std::vector<std::uint32_t> shell{};  // of each triangle
+  std::vector<std::uint32_t> order{}, starts{};  // the triangles of shell s: order[i] for i from starts[s] to the next
+};
+
+template <class Bodies>
+constexpr body_shells find_shells(const Bodies& b) {
+  const auto side_of = [&](std::uint32_t t, std::uint32_t k, std::uint32_t triangle) {
+    const std::uint32_t v = b.triangles[t].v[k], w = b.triangles[t].v[(k + 1) % 3];
+    return triangle_side{lesser(v, w), greater(v, w), triangle};
+  };
+  std::vector<triangle_side> rims;
+  for (std::uint32_t t = 0; t < b.triangles.size(); ++t)
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (b.twin[3 * std::size_t{t} + k] == no_index) rims.push_back(side_of(t, k, t));
+  std::sort(rims.begin(), rims.end());
+  std::vector<unsigned char> is_met(rims.size(),
+                                    0);  // of the first of an edge and a body, whether its faces were taken
+  body_shells s;
+  s.shell.assign(b.triangles.size(), no_index);
+  s.order.reserve(b.triangles.size());
+  const auto take = [&s](std::uint32_t t) {
+    if (s.shell[t] != no_index) return;
+    s.shell[t] = static_cast<std::uint32_t>(s.starts.size() - 1);
+    s.order.push_back(t);
+  };
+  for (std::uint32_t first = 0; first < b.triangles.size(); ++first) {
+    if (s.shell[first] != no_index) continue;
+    s.starts.push_back(static_cast<std::uint32_t>(s.order.size()));
+    take(first);
+    for (std::size_t i = s.starts.back(); i < s.order.size(); ++i) {
+      const std::uint32_t t = s.order[i];
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        if (const std::uint32_t twin = b.twin[3 * std::size_t{t} + k]; twin != no_index) {
+          take(twin / 3);
+          continue;
+        }
+        const triangle_side side = side_of(t, k, b.first_of(b.body[t]));
+        auto r = std::lower_bound(rims.begin(), rims.end(), side);
+        unsigned char& met = is_met[static_cast<std::size_t>(r - rims.begin())];
+        if (met != 0) continue;
+        met = 1;
+        for (; r != rims.end() && r->low == side.low && r->high == side.high && b.body[r->triangle] == b.body[t]; ++r)
+          take(r->triangle);
+      }
+    }
+  }
+  s.starts.push_back(static_cast<std::uint32_t>(s.order.size()));
+  return s;
+}
+
+// In rounded numbers, where these are sure: with u = 2^-53, each determinant of differences is off by less than 16u
+// of `size`, the product of its rows' sums, and n of them summed by less than n u of the sum of sizes more.
+template <class Bodies>
+constexpr int sign_of_volume(const Bodies& b, const body_shells& s, std::uint32_t shell) {
+  const point<double, 3>& from = b.positions[b.triangles[s.order[s.starts[shell]]].v[0]];
+  double volume = 0, size = 0;
+  const auto sum_of = [](const vec<double, 3>& v) { return magnitude(v[0]) + magnitude(v[1]) + magnitude(v[2]); };
+  for (std::uint32_t i = s.starts[shell]; i < s.starts[shell + 1]; ++i) {
+    const triangle_indices& t = b.triangles[s.order[i]];
+    const point<double, 3>& a = b.positions[t.v[0]];
+    const vec<double, 3> x = a - from, y = b.positions[t.v[1]] - a, z = b.positions[t.v[2]] - a;
+    volume += dot(x, cross(y, z));
+    size += product(product(sum_of(x), sum_of(y)), sum_of(z));
+  }
+  const double error = product(size, (static_cast<double>(s.starts[shell + 1] - s.starts[shell]) + 32) * 0x1p-52);
+  if (size < 0x1p1000 && error > 0x1p-900 && magnitude(volume) > error) return volume < 0 ? -1 : 1;
+  exact_accumulator<3> sum;
+  for (std::uint32_t i = s.starts[shell]; i < s.starts[shell + 1]; ++i) {
+    const triangle_indices& t = b.triangles[s.order[i]];
+    const point<double, 3>&p = b.positions[t.v[0]], &q = b.positions[t.v[1]], &r = b.positions[t.v[2]];
+    for (int k = 0; k < 3; ++k) {
+      sum.add(p[k], q[(k + 1) % 3], r[(k + 2) % 3]);
+      sum.subtract(p[k], q[(k + 2) % 3], r[(k + 1) % 3]);
+    }
+  }
+  return sum.sign();
+}
+
+// Whether the other shells of its body run round a shell, as its first corner tells that is not on one of them; they
+// do where none tells.
+template <class Bodies>
+constexpr bool is_cavity(const Bodies& b, const body_shells& s, body_boxes& boxes, std::uint32_t shell) {
+  const std::uint32_t body = b.body[s.order[s.starts[shell]]];
+  if (boxes.trees.empty()) boxes = boxes_of_bodies(b);
+  for (std::uint32_t i = s.starts[shell]; i < s.starts[shell + 1]; ++i) {
+    const point<double, 3>& p = b.positions[b.triangles[s.order[i]].v[0]];
+    upward_crossings count;
+    each_above(boxes, body, p, 0.0, [&](std::uint32_t t) {
+      const triangle_indices& n = b.triangles[t];
+      if (s.shell[t] != shell)
+        count_upward_crossing(b.positions[n.v[0]], b.positions[n.v[1]], b.positions[n.v[2]], p, count);
+    });
+    if (!count.on_surface) return count.winding > 0;
+  }
+  return true;
+}
+
+/// The first body that has a shell turned inside out, or no_index.
+template <class Bodies>
+constexpr std::uint32_t find_inside_out(const Bodies& b) {
+  const body_shells s = find_shells(b);
+  body_boxes boxes;  // made where they are asked for
+  for (std::uint32_t i = 0; i + 1 < s.starts.size(); ++i)
+    if (sign_of_volume(b, s, i) < 0 && !is_cavity(b, s, boxes, i)) return b.body[s.order[s.starts[i]]];
+  return no_index;
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg {
 
 namespace detail::inline IRG_ABI {
 
@@ -195,23 +504,6 @@ constexpr solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh
 
 inline namespace IRG_ABI {
 
-/// What two bodies have in common, what is in either, in the first but not the second, or in one of them alone.
-/// shape   triangles: faces of the bodies as triangulate() cuts them, cut where they meet. Equal positions are one
-///         corner; the places of corners, and the faces that triangles come from, are told beside. Triangles of one
-///         plane and one part count as one face: no corner is made on the sides between them, and a new triangle goes
-///         by the number of one of them
-/// needs   meshes in which validate() finds no defect; closed, faces counter-clockwise seen from outside, of no faces
-///         that go through each other; any number of shells, cavities too
-/// gives   always a closed surface, which faces run along every edge of as often one way as the other; empty where
-///         nothing is left. Where bodies touch from outside in an edge or a corner, it belongs to both sides: such an
-///         edge has four faces. Faces that lie on each other count once, or not at all where they part nothing. A
-///         status other than done, and no faces, for what is no body: where it meets nothing, too, for a shell of
-///         negative volume that no other of its body goes round; for bodies that cut themselves where that shows
-/// exact   every decision, for all finite floats and doubles; places of new corners within 1 ulp of each coordinate
-/// cost    O(n log n) for bodies that meet in few places, and what is cut: of two faces of n corners that lie on each
-///         other, as many as n^2 pieces; the first parts are placed by a pass over the other body each, many of them by
-///         a tree of its boxes
-/// source  Zhou et al. 2016 (cut everything, then ask about parts); Attene 2020 (points by what they are made of)
 template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
                                                               boolean_operation operation) {

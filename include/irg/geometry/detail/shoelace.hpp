@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include <irg/core/conversion.hpp>
+#include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/math/exact_sum.hpp>
 #include <irg/math/wide_int.hpp>
@@ -52,6 +53,13 @@ constexpr int shoelace_sign(const P& polygon) noexcept {
     return twice.sign();
   else
     return twice < decltype(twice)(0) ? -1 : decltype(twice)(0) < twice ? 1 : 0;
+}
+
+// Whether the way from a over b to c turns back at b, or stands still.
+template <Point P>
+constexpr bool is_fold(const P& a, const P& b, const P& c) noexcept {
+  if (orient2d(a, b, c) != 0) return false;
+  return same_place(a, b) || same_place(b, c) || comes_before(a, b) != comes_before(b, c);
 }
 
 }  // namespace irg::detail::inline IRG_ABI

@@ -118,4 +118,10 @@ constexpr bool is_word(std::string_view word, std::string_view lower) noexcept {
   return true;
 }
 
+/// Whether the name ends so, in either case.
+/// needs   `lower` has no capitals
+constexpr bool has_ending(std::string_view name, std::string_view lower) noexcept {
+  return name.size() >= lower.size() && is_word(name.substr(name.size() - lower.size()), lower);
+}
+
 }  // namespace irg::detail::inline IRG_ABI

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <irg/raster/edge_walk.hpp>
-#include <irg/raster/fill_rule.hpp>
+#include <irg/raster/subpixel.hpp>
 
 namespace irg::detail::inline IRG_ABI {
 

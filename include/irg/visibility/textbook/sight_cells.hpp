@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <irg/math/sqrt.hpp>
-#include <irg/spatial/cell3.hpp>
+#include <irg/spatial/grid_concept.hpp>
 
 namespace irg::textbook::inline IRG_ABI {
 
