@@ -266,9 +266,10 @@ constexpr double stretch_of(const std::vector<screen_face>& faces, const cell_wi
 }
 
 template <DepthOrder Order>
-constexpr bsp_face_cells::entry entry_of_part(const bsp_face_state<Order>& s, bsp_open_part&& p, std::uint32_t place) {
-  const screen_face& f = *p.node.part.face;
-  const cell_window& w = p.node.box;
+constexpr bsp_face_cells::entry entry_of_part(const bsp_face_state<Order>& s, bsp_of_faces::node&& node,
+                                              const pixel_hull& pixels, std::uint32_t place) {
+  const screen_face& f = *node.part.face;
+  const cell_window& w = node.box;
   const box<double, 3> bounds{
       {static_cast<double>(w.x_first), static_cast<double>(w.y_first), widened(f.depth_low) * s.stretch},
       {static_cast<double>(w.x_last - 1), static_cast<double>(w.y_last - 1), widened(f.depth_high) * s.stretch}};
@@ -276,7 +277,7 @@ constexpr bsp_face_cells::entry entry_of_part(const bsp_face_state<Order>& s, bs
       bounds_of<3>(std::array{stretched(f.v[0], s.stretch), stretched(f.v[1], s.stretch), stretched(f.v[2], s.stretch)},
                    plane_form<Order>(f, s.stretch).slope);
   within.around = bounds;
-  return {std::move(p), within, place};
+  return {{std::move(node), pixels}, within, place};
 }
 
 template <DepthOrder Order>
@@ -285,11 +286,12 @@ constexpr void open_root(bsp_face_state<Order>& s, const cell_window& window) {
   all.reserve(s.tree.faces.size());
   for (const screen_face& f : s.tree.faces) {
     const cell_window box = intersect(f.coverage.bounds, window);
-    bsp_open_part part{{{&f, {}}, box}, hull_of_face(f, box)};
-    if (part.pixels.empty())
-      s.unseen.push_back(std::move(part.node));
+    bsp_of_faces::node node{face_fragment{&f}, box};
+    const pixel_hull pixels = hull_of_face(f, box);
+    if (pixels.empty())
+      s.unseen.push_back(std::move(node));
     else
-      all.push_back(entry_of_part(s, std::move(part), static_cast<std::uint32_t>(&f - s.tree.faces.data())));
+      all.push_back(entry_of_part(s, std::move(node), pixels, static_cast<std::uint32_t>(&f - s.tree.faces.data())));
   }
   if (const std::uint32_t cell = s.cells.make_cell(std::move(all)); cell != bsp_none) s.left.push_back({cell});
 }
@@ -341,8 +343,10 @@ constexpr void split_part(bsp_face_state<Order>& s, const bsp_face_cells::entry&
   const bsp_open_part& p = e.item;
   const hull_halves hulls = split_hull<Order>(p.pixels, *p.node.part.face, plane);
   fragment_parts both = split_fragment(p.node.part, plane);
-  nearer(entry_of_part(s, {{std::move(both.nearer), window_of(hulls.nearer)}, hulls.nearer}, e.place));
-  farther(entry_of_part(s, {{std::move(both.farther), window_of(hulls.farther)}, hulls.farther}, e.place));
+  bsp_of_faces::node in_front{std::move(both.nearer), window_of(hulls.nearer)};
+  bsp_of_faces::node behind{std::move(both.farther), window_of(hulls.farther)};
+  nearer(entry_of_part(s, std::move(in_front), hulls.nearer, e.place));
+  farther(entry_of_part(s, std::move(behind), hulls.farther, e.place));
 }
 
 // A part on both sides of a plane only since some of its pixels lie in it, by their numbers, as on the common edge of
@@ -356,7 +360,8 @@ constexpr window_order order_without_ties(bsp_face_state<Order>& s, const bsp_op
   if (s.faces == bsp_none) {
     std::vector<bsp_face_cells::entry> all;
     for (const screen_face& g : s.tree.faces)
-      all.push_back(entry_of_part(s, {{{&g, {}}, g.coverage.bounds}}, static_cast<std::uint32_t>(all.size())));
+      all.push_back(
+          entry_of_part(s, {face_fragment{&g}, g.coverage.bounds}, {}, static_cast<std::uint32_t>(all.size())));
     s.faces = s.known.make_cell(std::move(all));
   }
   for (cell at = ties.first;; at.x += ties.step.x, at.y += ties.step.y) {
