@@ -148,7 +148,7 @@ template <ControlPoints R, class Sink>
   requires(Floating<scalar_of<detail::control_point<R>>> && size_of<detail::control_point<R>> == 2)
 constexpr bool bezier_line_crossings(const R& points, const detail::control_point<R>& a,
                                      const detail::control_point<R>& b,
-                                     std::span<vec<scalar_of<detail::control_point<R>>, 1>> scratch, Sink sink) {
+                                     std::span<vec<scalar_of<detail::control_point<R>>, 1>> scratch, Sink&& sink) {
   using T = scalar_of<detail::control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && scratch.size() >= 4 * count);

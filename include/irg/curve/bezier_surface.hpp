@@ -168,7 +168,7 @@ template <CartesianPoint P, int U, int V>
 /// exact   as patch_sample at curve_fraction: mirrored patches have mirrored lattices bit for bit
 /// cost    (n + 1)*(m + 1) samples
 template <CurvePoint P, int U, int V, class Visit>
-constexpr void tessellate(const bezier_patch<P, U, V>& patch, int n, int m, Visit visit) {
+constexpr void tessellate(const bezier_patch<P, U, V>& patch, int n, int m, Visit&& visit) {
   IRG_EXPECTS(n > 0 && m > 0);
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= m; ++j)

@@ -138,7 +138,7 @@ constexpr bool bspline_refine(const bspline_knots<T, Degree>& knots, const R& po
 template <Floating T, int Degree, ControlPolygon R, class Sink>
 constexpr void bspline_bezier_pieces(const bspline_knots<T, Degree>& knots, const R& points,
                                      std::type_identity_t<std::span<T>> scratch, std::span<ring_point<R>> piece,
-                                     Sink sink) {
+                                     Sink&& sink) {
   const std::size_t order = knots.order(), degree = order - 1;
   IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= order && piece.size() >= order);
   const auto value = scratch.first(order);

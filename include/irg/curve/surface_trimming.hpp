@@ -32,7 +32,7 @@ template <CurvePoint P, PlanePolygon R, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_net<P>& net, const R& polygon,
                                                                  std::type_identity_t<scalar_of<P>> tolerance,
-                                                                 Sink sink);
+                                                                 Sink&& sink);
 
 }  // namespace irg::inline IRG_ABI
 
@@ -86,7 +86,7 @@ template <CurvePoint P, PlanePolygon R, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_net<P>& net, const R& polygon,
                                                                  std::type_identity_t<scalar_of<P>> tolerance,
-                                                                 Sink sink) {
+                                                                 Sink&& sink) {
   using T = scalar_of<P>;
   using corner = surface_corner<P>;
   const triangulation parts = triangulate_monotone(polygon);
