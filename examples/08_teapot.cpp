@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
   irg::image<float> depth(640, 480);
   const irg::render_stats stats = irg::render(scene, {picture, depth}, {.style = irg::picture_style::phong});
 
-  if (const auto error = irg::write_image(file, picture)) program::fail("08_teapot", error->message + (": " + file));
+  if (const auto saved = irg::save_image(file, picture); !saved)
+    program::fail("08_teapot", saved.error().message + (": " + file));
   std::printf("%lld triangles, %lld of them facing away; %lld pixels drawn; %s\n",
               static_cast<long long>(stats.triangles), static_cast<long long>(stats.skipped.backface),
               static_cast<long long>(stats.drawn), file.c_str());

@@ -75,7 +75,8 @@ void run(program::command_line& line) {
   std::size_t from[2] = {0, 0};
   for (const irg::solid_face_origin& f : made.faces) ++from[f.body];
   if (!out.empty())
-    if (const auto error = irg::write_mesh(out, made.value)) line.fail(std::string(error->message) + ": " + out);
+    if (const auto saved = irg::save_mesh(out, made.value); !saved)
+      line.fail(std::string(saved.error().message) + ": " + out);
   std::printf("triangles: %zu\npositions: %zu\nvolume: %s\nvolumes: %s %s\nfrom: %zu %zu\n", made.value.face_count(),
               made.value.positions.size(), program::shortest(irg::solid_volume(made.value)).c_str(),
               program::shortest(irg::solid_volume(first)).c_str(), program::shortest(irg::solid_volume(second)).c_str(),

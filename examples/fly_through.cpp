@@ -115,7 +115,7 @@ settings read_settings(program::command_line& line) {
   for (s.pictures = s.step > 0 ? 0 : s.pictures; s.step > 0 && s.pictures * s.step <= 1;) ++s.pictures;
   if (s.model.empty()) line.fail("no model given; --help tells how");
   if (s.out.empty() && s.frames.empty() && !s.list) line.fail("nothing to write; -o or --frames names it");
-  if (!s.out.empty() && irg::picture_format_of(s.out) != irg::picture_format::png)
+  if (!s.out.empty() && irg::image_format_of_name(s.out) != irg::image_format::png)
     line.fail("the animation's name must end in .png, not: " + s.out);
   if (program::one_file(s.out, s.input)) line.fail("the input would be overwritten: " + s.input);
   for (int k = 1; !s.frames.empty() && k <= s.pictures; ++k) {
@@ -217,7 +217,8 @@ public:
   ~numbered_files() { remove(); }
   void write(const program::command_line& line, const irg::image<irg::rgba8>& picture) {
     const std::string file = frame_name(settings_, names_.size() + 1);
-    if (const auto error = irg::write_image(file, picture)) fail(line, std::string(error->message) + ": " + file);
+    if (const auto saved = irg::save_image(file, picture); !saved)
+      fail(line, std::string(saved.error().message) + ": " + file);
     names_.push_back(file);
   }
   [[noreturn]] void fail(const program::command_line& line, const std::string& what) const {
@@ -260,8 +261,8 @@ void draw(const program::command_line& line, const settings& s, irg::scene<doubl
     std::fprintf(stderr, "picture %d of %d\n", static_cast<int>(k) + 1, s.pictures);
   }
   if (s.out.empty()) return;
-  if (const auto error = irg::write_file_atomically(s.out, std::span<const std::uint8_t>(file)))
-    files.fail(line, std::string(error->message) + ": " + s.out);
+  if (const auto saved = irg::save_file(s.out, std::span<const std::uint8_t>(file)); !saved)
+    files.fail(line, std::string(saved.error().message) + ": " + s.out);
 }
 
 void run(program::command_line& line) {

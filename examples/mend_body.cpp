@@ -57,7 +57,8 @@ void run(program::command_line& line) {
   const irg::outward_status turned = irg::orient_outward(body);
   const auto left = irg::list_faults(body);
   if (!out.empty())
-    if (const auto error = irg::write_mesh(out, body)) line.fail(std::string(error->message) + ": " + out);
+    if (const auto saved = irg::save_mesh(out, body); !saved)
+      line.fail(std::string(saved.error().message) + ": " + out);
   if (list) {
     for (const irg::mesh_fault& f : left) std::printf("%s\n", std::string(irg::sentence_of(f)).c_str());
   } else {

@@ -124,7 +124,7 @@ irg::drawable<double> bunny_or_sphere() {
 #ifdef IRG_MODELS_DIR
   const char* path = IRG_MODELS_DIR "/stanford-bunny.obj";
   if (std::ifstream(path))
-    if (const auto text = irg::read_file(path))
+    if (const auto text = irg::load_file(path))
       if (auto mesh = irg::read_obj<double>({text->data(), text->size()})) return irg::make_drawable(*std::move(mesh));
 #endif
   return irg::make_drawable(irg::shape_sphere<double>({.slices = 264, .stacks = 132}));

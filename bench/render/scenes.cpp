@@ -46,7 +46,7 @@ static body_plan model_or_sphere(const std::string& name, const char* file, int 
   const std::string path = std::string(IRG_MODELS_DIR "/") + file;
   if (std::ifstream(path))
     return {name, [path] {
-              const auto text = irg::read_file(path.c_str());
+              const auto text = irg::load_file(path.c_str());
               if (text)
                 if (auto mesh = irg::read_obj<float>({text->data(), text->size()}))
                   return irg::make_drawable(*std::move(mesh));

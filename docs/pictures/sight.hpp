@@ -263,7 +263,7 @@ inline bool write_sweep(const std::string& path) {
         add("<path d=\"M%d %dh%d\" stroke=\"#784828\" stroke-width=\"3\"/>\n", x * size, (y + 1) * size, size);
     }
   svg += "</svg>\n";
-  return !irg::write_file_atomically(path, svg).has_value();
+  return irg::save_file(path, svg).has_value();
 }
 
 }  // namespace sight_pictures

@@ -151,11 +151,11 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
   said("encode_pgm", *irg::encode_pgm(picture));
   said("encode_ppm", *irg::encode_ppm(picture));
   said("encode_svg", *irg::encode_svg(picture));
-  said("encode_picture", *irg::encode_picture(picture, irg::picture_format::ppm));
+  said("encode_image", *irg::encode_image(picture, irg::image_format::ppm));
   const std::vector<R> pictures{picture, picture};
   said("encode_animation", *irg::encode_animation(std::span<const R>(pictures)));
-  called.insert("write_image");
-  CHECK(irg::write_image("foreign.jpg", picture).has_value());  // said to be no format of irg's
+  called.insert("save_image");
+  CHECK(!irg::save_image("foreign.jpg", picture).has_value());  // said to be no format of irg's
   const auto told = [&](const char* name, const auto&... number) {
     called.insert(name);
     seen.push_back((name + ... + (" " + std::to_string(number))));

@@ -83,8 +83,8 @@ void try_body(const std::string& folder, const std::string& name, irg::mesh<T> m
       const bool has_form = e == irg::mesh_encoding::text || format == irg::mesh_format::ply ||
                             (format == irg::mesh_format::stl && e == irg::mesh_encoding::little_endian);
       if (!has_form) continue;
-      const auto reason = irg::write_mesh(path, m, e);
-      const std::string wrong = reason ? reason->message : difference(m, path, format, attributes);
+      const auto saved = irg::save_mesh(path, m, e);
+      const std::string wrong = saved ? difference(m, path, format, attributes) : saved.error().message;
       ++tried;
       failed += wrong.empty() ? 0 : 1;
       if (!wrong.empty())
