@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
                   {{4.0, 1.0, 1.0, 1.0}, {0.3, 0.2, 0.1}}};
   scene.ambient = {0.3, 0.3, 0.3};
 
-  const auto ball = irg::sphere_around(scene.objects[0].shape);
+  const auto ball = irg::bounding_sphere_of(scene.objects[0].shape);
   scene.view =
       irg::camera_around(ball.centre, ball.radius, irg::vec<double, 3>{0.6, 0.6, 1.6}, irg::radians(40.0), 4.0 / 3.0);
 

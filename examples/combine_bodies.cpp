@@ -68,7 +68,7 @@ void run(program::command_line& line) {
   if (program::one_file(out, words[0]) || program::one_file(out, words[2])) line.fail("a body would be overwritten");
 
   const auto first = program::read_model(line, words[0]);
-  const auto second = irg::transform_mesh(program::read_model(line, words[2]), irg::translation(move));
+  const auto second = irg::transformed(program::read_model(line, words[2]), irg::translation(move));
   const auto made = irg::solid_boolean(first, second, static_cast<irg::boolean_operation>(which));
   if (made.status != irg::solid_boolean_status::done)
     line.fail(sentence_of(made.status) + (made.body > 1 ? std::string() : ": " + words[made.body == 0 ? 0 : 2]));

@@ -204,7 +204,7 @@ irg::camera<double> camera_at(const settings& s, irg::camera<double> view, const
   if (s.what == moved::eye) view.eye = place.point;
   if (s.what == moved::target) view.target = place.point;
   if (s.what == moved::eye && (s.ahead || view.target == view.eye))
-    if (const auto along = irg::try_normalize(place.derivative)) view.target = view.eye + *along;
+    if (const auto along = irg::try_normalized(place.derivative)) view.target = view.eye + *along;
   return view;
 }
 
@@ -238,7 +238,7 @@ private:
 void draw(const program::command_line& line, const settings& s, irg::scene<double>& world, const point& centre,
           const std::vector<irg::curve_sample<point>>& places, numbered_files& files) {
   const auto view = world.view;
-  const double radius = irg::sphere_around(world.objects[0].shape).radius;
+  const double radius = irg::bounding_sphere_of(world.objects[0].shape).radius;
   irg::image<irg::rgba8> picture(s.size.width, s.size.height);
   irg::image<float> depth(s.size.width, s.size.height);
   irg::png_animation<irg::image<irg::rgba8>> animation(s.pictures, {s.delay, 0});
@@ -285,7 +285,7 @@ void run(program::command_line& line) {
     world.objects.push_back({load_model(line, s.model)});
     const auto& shape = world.objects[0].shape;  // an eye or a target that moves may pass the other
     world.view = s.what == moved::body ? program::camera_of(line, s, shape) : program::placed_camera(line, s, shape);
-    draw(line, s, world, irg::sphere_around(world.objects[0].shape).centre, places, files);
+    draw(line, s, world, irg::bounding_sphere_of(world.objects[0].shape).centre, places, files);
   }
   if (s.list) {
     for (std::size_t k = 0; k < places.size(); ++k)

@@ -53,7 +53,7 @@ void run(program::command_line& line) {
 
   auto body = program::read_model(line, model);
   const std::size_t before = irg::list_faults(body).size();
-  body = irg::merge_positions(std::move(body));
+  body = irg::with_merged_positions(std::move(body));
   const irg::outward_status turned = irg::orient_outward(body);
   const auto left = irg::list_faults(body);
   if (!out.empty())

@@ -63,7 +63,7 @@ irg::mesh<double> mesh_of(const TopoDS_Shape& shape) {
       m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
     }
   }
-  return irg::merge_positions(std::move(m));
+  return irg::with_merged_positions(std::move(m));
 }
 
 }  // namespace

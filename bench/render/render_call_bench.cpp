@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // irg::render as the README calls it: a scene of doubles with a light and a camera becomes a Gouraud-shaded picture, from
 // nothing, then prepared once, then with another light in each frame. Beside it what is left to do when vertices come
-// as floats with their colours: irg's draw_batches, to sRGB as render does it and to linear bytes as the peer does, and
+// as floats with their colours: irg's shade_batches, to sRGB as render does it and to linear bytes as the peer does, and
 // llvmpipe, which gets the same colours.
 #include <algorithm>
 #include <cmath>
@@ -129,9 +129,9 @@ void enter_scene(const scene_plan& plan) {
   enter_render("irg:prepared", &user_scene::draw_prepared, "render of a prepared scene, nothing changed");
   enter_render("irg:prepared and lit anew", &user_scene::draw_changed, "render of a prepared scene, its light moved");
   enter_limit(
-      c, "irg:draw_batches to sRGB", [on] { on().renderer.draw_encoded(on().to.picture, on().to.depth); },
+      c, "irg:shade_batches to sRGB", [on] { on().renderer.draw_encoded(on().to.picture, on().to.depth); },
       [] { return "what is left to do with vertices and colours in floats, the pixels encoded as render's are"; });
-  enter_own(c, on, "irg:draw_batches", 1);
+  enter_own(c, on, "irg:shade_batches", 1);
   enter_limit(
       c, "limit:depth tests", [on] { stream_depth_tests(on().to.picture, on().to.depth, on().exact->tested); },
       [on] { return on().statistics(); });

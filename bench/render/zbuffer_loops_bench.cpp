@@ -145,7 +145,7 @@ scene layers(const std::string& name, int count, drawing order) {
     const auto first = static_cast<std::uint32_t>(s.positions.size());
     for (const auto& [x, y] : {std::pair{0, 0}, {0, s.height}, {s.width, s.height}, {s.width, 0}}) {
       s.positions.push_back(eye.at(x, y, distance * (x == 0 ? 1 : 1.05)));
-      all.bounds = irg::enclosing_box(all.bounds, s.positions.back());
+      all.bounds = irg::bounding_box(all.bounds, s.positions.back());
     }
     s.triangles.push_back({{first, first + 1, first + 2}});
     s.triangles.push_back({{first, first + 2, first + 3}});

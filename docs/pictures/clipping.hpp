@@ -103,7 +103,7 @@ inline picture operations() {
   double left = 0;
   for (const auto operation : {irg::boolean_operation::intersection, irg::boolean_operation::unite,
                                irg::boolean_operation::difference, irg::boolean_operation::symmetric_difference}) {
-    std::vector<Ring> rings = polygon_overlay(a, b, operation).rings;
+    std::vector<Ring> rings = polygon_boolean(a, b, operation).rings;
     for (Ring& ring : rings) ring = moved(ring, left);
     irg::fill_polygon_aa(p, rings, irg::fill_rule::non_zero, blue);
     for (const Ring& ring : a) outline(p, moved(ring, left), faint);

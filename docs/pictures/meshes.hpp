@@ -123,7 +123,7 @@ inline picture fitting() {
     box_edges(s, {-1, -1, -1}, {1, 1, 1}, true, grey);
     for (std::size_t f = 0; f < shape_of_it.face_count(); ++f)
       outline(p, s.at(face_of(shape_of_it, f)), 0.9, with_opacity(blue, 150));
-    const auto b = irg::enclosing_box(shape_of_it);
+    const auto b = irg::bounding_box(shape_of_it);
     box_edges(s, b.low, b.high, false, red);
     axes(p, s, 0.55);
   }

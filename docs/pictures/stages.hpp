@@ -41,12 +41,12 @@ inline matrix placement() {
   return irg::translation(irg::vec<double, 3>{0.3, 0.5, 0}) * irg::rotation_x(0.12) * irg::rotation_z(-0.3) *
          irg::rotation_y(2.6);
 }
-inline body in_world() { return irg::transform_mesh(object(), placement()); }
+inline body in_world() { return irg::transformed(object(), placement()); }
 
 inline irg::camera_frame<double> camera() {
   return irg::look_at_frame(point3{0.6, 1.15, 3.15}, point3{-0.3, 0.42, 0}, irg::vec<double, 3>{0, 1, 0});
 }
-inline body in_camera() { return irg::transform_mesh(in_world(), irg::view_matrix(camera())); }
+inline body in_camera() { return irg::transformed(in_world(), irg::view_matrix(camera())); }
 
 inline std::vector<std::uint32_t> fronts() {  // in camera space the eye is the origin
   return irg::front_faces(in_camera(), irg::hpoint<double, 3>{0, 0, 0, 1});

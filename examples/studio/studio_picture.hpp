@@ -106,7 +106,7 @@ template <class T>
 constexpr bool place_shape(mesh<T>& shape, const mat<T, 4, 4>& placement) {
   bool good = true;
   if (is_affine(placement)) {
-    shape = transform_mesh(std::move(shape), placement);
+    shape = transformed(std::move(shape), placement);
   } else {
     for (point<T, 3>& p : shape.positions) {
       const hpoint<T, 3> q = placement * p;
@@ -379,8 +379,8 @@ struct studio_drawing {
       const triangle_batch<T> batch[1] = {{&made.frame.vertices, made.body.triangles, 0, 0}};
       const std::span<const object_shading<T>> one(&o.shading, 1);
       const auto draw = [&](const auto& pixels) {
-        draw_batches(render_target{picture, memory.depth}, projected_triangles<T>{batch, mapping}, pixels,
-                     {.culling = o.culling, .workspace = &memory.workspace});
+        shade_batches(render_target{picture, memory.depth}, projected_triangles<T>{batch, mapping}, pixels,
+                      {.culling = o.culling, .workspace = &memory.workspace});
       };
       if (o.how == studio_shading::gouraud)
         draw(gouraud_pixels<encoded_light, T>{one});

@@ -142,7 +142,7 @@ private:
 /// The faces of a body with one position for all that are equal, without what has no three corners then: of triangles
 /// that a file lists each by itself, neighbours are known.
 irg::mesh<double> joined(const irg::mesh<double>& shape) {
-  const irg::mesh<double> merged = irg::merge_positions(shape);
+  const irg::mesh<double> merged = irg::with_merged_positions(shape);
   irg::mesh<double> out;
   out.positions = merged.positions;
   std::vector<std::uint32_t> face;

@@ -28,19 +28,19 @@ struct outcome {
 constexpr outcome of_arch_and_bowl(double tolerance) {
   outcome all;
   std::array<P, 18> scratch{};
-  all.result = irg::bezier_meetings(arch, bowl, {tolerance}, std::span<M>(all.room), scratch);
+  all.result = irg::bezier_intersections(arch, bowl, {tolerance}, std::span<M>(all.room), scratch);
   return all;
 }
 
 meetings_result meetings(const std::vector<P>& a, const std::vector<P>& b, const irg::meeting_search<double>& how,
                          std::vector<M>& room) {
   std::vector<P> scratch(3 * (a.size() + b.size()));
-  return irg::bezier_meetings(a, b, how, std::span<M>(room), std::span<P>(scratch));
+  return irg::bezier_intersections(a, b, how, std::span<M>(room), std::span<P>(scratch));
 }
 
 }  // namespace
 
-TEST_CASE("bezier_meetings: two parabolas meet twice") {
+TEST_CASE("bezier_intersections: two parabolas meet twice") {
   constexpr auto coarse = of_arch_and_bowl(0.01);
   CHECK_BOTH(coarse.result == meetings_result{2, within_tolerance});
   const auto fine = of_arch_and_bowl(1e-8);
@@ -56,7 +56,7 @@ TEST_CASE("bezier_meetings: two parabolas meet twice") {
   }
 }
 
-TEST_CASE("bezier_meetings: apart, touching, coincident, points, huge, not finite, no room") {
+TEST_CASE("bezier_intersections: apart, touching, coincident, points, huge, not finite, no room") {
   std::vector<M> room(16);
   const std::vector<P> a{{0, 0}, {1, 2}, {2, 0}}, above{{0, 1.5}, {2, 1.5}}, tangent{{0, 1}, {2, 1}}, one{{1, 1}};
   CHECK(meetings(a, above, {}, room) == meetings_result{0, within_tolerance});
@@ -86,7 +86,7 @@ TEST_CASE("bezier_meetings: apart, touching, coincident, points, huge, not finit
     const std::array<P, 2> line{P{0, 0}, P{1, 1}};
     std::array<P, 15> scratch{};
     std::array<irg::curve_meeting<double>, 2> found{};
-    return irg::bezier_meetings(endless, line, {0, 50}, found, scratch).status;
+    return irg::bezier_intersections(endless, line, {0, 50}, found, scratch).status;
   };
   CHECK_BOTH(of_infinity() != irg::meetings_found::within_tolerance);
   std::vector<M> little(1);
@@ -97,7 +97,7 @@ TEST_CASE("bezier_meetings: apart, touching, coincident, points, huge, not finit
   CHECK(room[0] == M{0, 1, 0, 1});
 }
 
-TEST_CASE("bezier_meetings: no common point is missed, and each meeting is as narrow as asked") {
+TEST_CASE("bezier_intersections: no common point is missed, and each meeting is as narrow as asked") {
   test::random r(91);
   long meant = 0, missed = 0, loose = 0, within = 0;
   for (int round = 0; round < (std::getenv("IRG_RELEASE_TIER") ? 20'000 : 120); ++round) {

@@ -33,7 +33,7 @@ constexpr std::uint64_t pictures(irg::picture_style style, int rounds) {
   world.lights = {{{T(1), T(2), T(3), T(0)}, {T(1), T(1), T(1)}},
                   {{T(-3), T(4), T(1), T(1)}, {T(0.5), T(0.25), T(0.125)}}};
   world.ambient = {T(0.3), T(0.3), T(0.4)};
-  const auto ball = irg::sphere_around(world.objects[0].shape);
+  const auto ball = irg::bounding_sphere_of(world.objects[0].shape);
   for (int i = 0; i < rounds; ++i) {
     world.view = irg::camera_around(ball.centre, ball.radius / T(1 << i), irg::vec<T, 3>{T(1), T(0.8), T(1.6)}, T(0.7),
                                     static_cast<T>(width) / static_cast<T>(height));

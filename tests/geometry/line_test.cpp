@@ -7,9 +7,9 @@
 #include "support/exact.hpp"
 #include "support/rational.hpp"
 
-using irg::common_point;
 using irg::height_of;
 using irg::hpoint;
+using irg::intersection_point;
 using irg::line;
 using irg::line_through;
 using irg::line_value;
@@ -42,9 +42,9 @@ TEST_CASE("line: the course's values") {
   CHECK_BOTH(line_value(l, point<rational, 2>{4, 0}) == rational(-9));
   CHECK_BOTH(line_value(L{2, -3, 1}, P{1, 3}) == -6);
   CHECK_BOTH(line_value(L{2, -3, 1}, H{2, 6, 2}) == -12);
-  CHECK_BOTH(common_point(L{1, 2, 3}, L{1, 2, -5}) == H{-16, 8, 0});  // parallel: a point at infinity
-  CHECK_BOTH(common_point(L{2, -1, 0}, L{1, 1, -3}) == H{3, 6, 3});
-  CHECK_BOTH(to_cartesian(*common_point(L{2, -1, 0}, L{1, 1, -3})) == P{1, 2});
+  CHECK_BOTH(intersection_point(L{1, 2, 3}, L{1, 2, -5}) == H{-16, 8, 0});  // parallel: a point at infinity
+  CHECK_BOTH(intersection_point(L{2, -1, 0}, L{1, 1, -3}) == H{3, 6, 3});
+  CHECK_BOTH(to_cartesian(*intersection_point(L{2, -1, 0}, L{1, 1, -3})) == P{1, 2});
 }
 
 TEST_CASE("line: equal points, NaN, ends of the range") {
@@ -53,8 +53,8 @@ TEST_CASE("line: equal points, NaN, ends of the range") {
   CHECK_BOTH(!line_through(P{1, not_a_number}, P{1, 2}));
   CHECK_BOTH(!line_through(P{1, 2}, P{1, std::numeric_limits<double>::infinity()}));
   CHECK_BOTH(line_through(H{1, 0, 0}, H{0, 1, 0}) == L{0, 0, 1});  // the line at infinity
-  CHECK_BOTH(!common_point(L{1, 2, 3}, L{2, 4, 6}));
-  CHECK_BOTH(!common_point(L{1, 2, not_a_number}, L{2, 4, 6}));
+  CHECK_BOTH(!intersection_point(L{1, 2, 3}, L{2, 4, 6}));
+  CHECK_BOTH(!intersection_point(L{1, 2, not_a_number}, L{2, 4, 6}));
   CHECK_BOTH(line_through(P{0, 0}, P{5e-324, 5e-324}) == L{-0x1p0, 0x1p0, 0});
   constexpr L wide = *line_through(P{-huge, huge}, P{huge, huge});
   CHECK_BOTH(wide.a == 0);
@@ -90,7 +90,7 @@ TEST_CASE("line: half an ulp from the exact coefficients") {
         worst = std::fmax(worst, test::error_in_ulp(through->b, e[2] - e[0]));
         worst = std::fmax(worst, test::error_in_ulp(through->c, e[0] * e[3] - e[2] * e[1]));
       }
-      const auto common = common_point(L{c[0], c[1], c[2]}, L{c[3], c[4], c[5]});
+      const auto common = intersection_point(L{c[0], c[1], c[2]}, L{c[3], c[4], c[5]});
       if (!common) continue;
       worst = std::fmax(worst, test::error_in_ulp(common->x, e[1] * e[5] - e[2] * e[4]));
       worst = std::fmax(worst, test::error_in_ulp(common->y, e[2] * e[3] - e[0] * e[5]));

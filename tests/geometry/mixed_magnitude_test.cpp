@@ -252,7 +252,7 @@ TEST_CASE_TEMPLATE("mixed magnitudes: edges and boxes", T, double, float) {
       [](test::random& r, sizes which) {
         const auto p = points<T, 3, 2>(r, which);
         irg::box<T, 3> b;
-        for (const auto& q : p) b = enclosing_box(b, q);
+        for (const auto& q : p) b = bounding_box(b, q);
         const auto s = size(b);
         const auto middle = centre(b);
         E squared = 0;
@@ -263,7 +263,7 @@ TEST_CASE_TEMPLATE("mixed magnitudes: edges and boxes", T, double, float) {
           const E up = high - of(middle[k]), down = of(middle[k]) - low;
           squared = squared + (up < down ? down * down : up * up);
         }
-        return root_error(sphere_around(b).radius, squared, E(1));
+        return root_error(bounding_sphere_of(b).radius, squared, E(1));
       },
       3000);
 }
@@ -385,14 +385,14 @@ TEST_CASE_TEMPLATE("mixed magnitudes: lines of the plane", T, double, float) {
       },
       3000);
   sweep(
-      named<T>("line_through and common_point, homogeneous"), 0.501,
+      named<T>("line_through and intersection_point, homogeneous"), 0.501,
       [&](test::random& r, sizes which) {
         auto c = numbers<T, 6>(r, which);
         if (r.integer(0, 3) == 0) c[4] = c[1], c[3] = c[0];
         const irg::hpoint<T, 2> p{c[0], c[1], c[2]}, q{c[3], c[4], c[5]};
         const auto e = rationals(c);
         const auto want = minors({e[0], e[1], e[2]}, {e[3], e[4], e[5]});
-        const auto common = common_point(line{c[0], c[1], c[2]}, line{c[3], c[4], c[5]});
+        const auto common = intersection_point(line{c[0], c[1], c[2]}, line{c[3], c[4], c[5]});
         const auto as_line = common ? std::optional(line{common->x, common->y, common->z}) : std::nullopt;
         return std::fmax(off(line_through(p, q), want), off(as_line, want));
       },

@@ -166,7 +166,7 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
   told("heights_of_image", irg::heights_of_image(picture, [](grey g) { return g / 255.0; }).heights[200]);
   told("grid_from_raster", irg::grid_from_raster(picture, [](grey g) { return g > 100; }).is_full({9, 8, 0}));
   told("viewshed", irg::viewshed(picture, {2, 2}).is_full({3, 3, 0}));
-  told("see_over", irg::see_over(picture, {1, 8}, {20, 8}));
+  told("has_line_of_sight", irg::has_line_of_sight(picture, {1, 8}, {20, 8}));
   told("width_of", irg::width_of(picture));
   told("height_of", irg::height_of(picture));
   told("get_pixel", irg::get_pixel(picture, 9, 8));
@@ -216,7 +216,7 @@ TEST_CASE("foreign meshes: every function of meshes") {
   call("to_mesh", irg::to_mesh<double>(m).face_count() == 4);
   call("is_closed", irg::is_closed(m));
   call("fit_of", irg::fit_of(m).scale > 0);
-  call("enclosing_box", irg::enclosing_box(m).high.x == 2);
-  call("sphere_around", irg::sphere_around(m).radius > 1);
+  call("bounding_box", irg::bounding_box(m).high.x == 2);
+  call("bounding_sphere_of", irg::bounding_sphere_of(m).radius > 1);
   CHECK(names_of_page("| function of meshes") == called);
 }

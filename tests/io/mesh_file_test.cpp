@@ -68,7 +68,7 @@ TEST_CASE("mesh files: every format gives the same body") {
   for (const std::string& bytes : files_of(cube)) {
     const auto r = irg::read_mesh<float>(bytes);
     REQUIRE(test::outcome_of(r) == "");
-    CHECK(test::in_order_of_use(irg::merge_positions(test::without_attributes(*r))) ==
+    CHECK(test::in_order_of_use(irg::with_merged_positions(test::without_attributes(*r))) ==
           test::in_order_of_use(test::without_attributes(cube)));
   }
 }

@@ -58,7 +58,7 @@ TEST_CASE("fit: random bodies fill the cube along their longest side") {
       m.positions.push_back({x, y, z});
     }
     CHECK(fit_mesh(m) == fit_status::fitted);
-    const auto b = enclosing_box(m);
+    const auto b = bounding_box(m);
     const auto s = size(b);
     const double longest = greater(s.x, greater(s.y, s.z));
     CHECK(longest == doctest::Approx(2).epsilon(1e-8));
@@ -118,7 +118,7 @@ TEST_CASE("fit: several bodies, each fitted, then scaled and placed") {
   const std::array<placement<double>, 3> places{placement<double>{0.5, {10, 0, 0}}, {2, {0, 1, 0}}, {1, {5, 5, 5}}};
   const auto statuses = fit_each<double>(bodies, places);
   CHECK(statuses == std::vector<fit_status>{fit_status::fitted, fit_status::fitted, fit_status::not_finite});
-  CHECK(enclosing_box(bodies[0]) == box<double, 3>{{9.5, -0.5, -0.5}, {10.5, 0.5, 0.5}});
+  CHECK(bounding_box(bodies[0]) == box<double, 3>{{9.5, -0.5, -0.5}, {10.5, 0.5, 0.5}});
   CHECK(bodies[1].positions == std::vector<P3>{{-2, 0.5, -0.5}, {2, 1.5, 0.5}});
   CHECK(bodies[2].positions[0].y == 0);
 }

@@ -30,7 +30,7 @@ TEST_CASE("convert_image: pixel by pixel, at compile time, too") {
     bool same = turned.width() == 5 && gray.height() == 3;
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 5; ++x)
-        same = same && irg::to_rgba8(turned(x, y)) == picture(x, y) && gray(x, y) == irg::gray_level(picture(x, y));
+        same = same && irg::to_rgba8(turned(x, y)) == picture(x, y) && gray(x, y) == irg::grey_level(picture(x, y));
     return same;
   }());
   CHECK_BOTH(convert_image<irg::rgb8>(irg::image<rgba8>()).width() == 0);

@@ -138,15 +138,13 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
     const auto record = [](const irg::pixel_weights<float>& f) { return recorder{f.weight1, f.weight2}; };
     irg::draw_triangle(weights, depth, {v[0], v[1], v[2]}, record);
     const long double area =
-        static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+        static_cast<long double>(irg::twice_signed_area(v[0].position, v[1].position, v[2].position));
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 60; ++x) {
         if (!irg::covers(t, x, y)) continue;
         const irg::subpixel p{x * 256 + 128, y * 256 + 128};
-        const long double b1 =
-            static_cast<long double>(irg::signed_double_area(v[2].position, v[0].position, p)) / area;
-        const long double b2 =
-            static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, p)) / area;
+        const long double b1 = static_cast<long double>(irg::twice_signed_area(v[2].position, v[0].position, p)) / area;
+        const long double b2 = static_cast<long double>(irg::twice_signed_area(v[0].position, v[1].position, p)) / area;
         const auto wide = [](float f) { return static_cast<long double>(f); };
         const long double z0 = wide(v[0].depth), q1 = wide(v[1].inverse_w), q2 = wide(v[2].inverse_w);
         const long double z = z0 + b1 * (wide(v[1].depth) - z0) + b2 * (wide(v[2].depth) - z0);

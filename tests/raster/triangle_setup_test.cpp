@@ -105,8 +105,8 @@ worst_errors sweep(int count, int depth_exponent, int w_exponent) {
       const irg::subpixel p{x * 256 + 128, y * 256 + 128};
       long double b[3], depth = 0, q = 0;
       for (int e = 0; e < 3; ++e) {
-        b[e] = static_cast<long double>(irg::signed_double_area(v[(e + 1) % 3].position, v[(e + 2) % 3].position, p)) /
-               static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+        b[e] = static_cast<long double>(irg::twice_signed_area(v[(e + 1) % 3].position, v[(e + 2) % 3].position, p)) /
+               static_cast<long double>(irg::twice_signed_area(v[0].position, v[1].position, v[2].position));
         depth += b[e] * static_cast<long double>(v[e].depth);
         q += b[e] * static_cast<long double>(v[e].inverse_w);
       }

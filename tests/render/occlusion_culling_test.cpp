@@ -32,7 +32,7 @@ struct body {
 
   irg::occludable_object<T> object() const {
     irg::box<T, 3> b;
-    for (const auto& p : positions) b = irg::enclosing_box(b, p);
+    for (const auto& p : positions) b = irg::bounding_box(b, p);
     return {b, positions, triangles};
   }
 };

@@ -79,7 +79,7 @@ std::vector<snapped_triangle> snapped_triangles(const triangle_scene& s, irg::fa
     std::vector<irg::screen_vertex> on_screen;
     for (const auto& v : left) on_screen.push_back(irg::to_screen(v.position, mapping));
     const auto area_of = [&](std::size_t k) {
-      return irg::signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
+      return irg::twice_signed_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
     };
     std::int64_t area = 0;
     for (std::size_t k = 1; k + 1 < on_screen.size(); ++k) area += area_of(k);

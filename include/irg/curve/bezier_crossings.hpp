@@ -173,7 +173,7 @@ inline namespace IRG_ABI {
 template <ControlPoints R, ControlPoints S>
   requires(Floating<scalar_of<detail::control_point<R>>> &&
            std::is_same_v<detail::control_point<R>, detail::control_point<S>>)
-constexpr checked<std::size_t, meetings_found> bezier_meetings(
+constexpr checked<std::size_t, meetings_found> bezier_intersections(
     const R& first, const S& second,
     const std::type_identity_t<meeting_search<scalar_of<detail::control_point<R>>>>& search,
     std::span<curve_meeting<scalar_of<detail::control_point<R>>>> room,
@@ -211,6 +211,8 @@ constexpr checked<std::size_t, meetings_found> bezier_meetings(
                       : any_wide   ? meetings_found::wide
                                    : meetings_found::within_tolerance};
 }
+
+IRG_RENAMED(bezier_meetings, bezier_intersections)
 
 }  // namespace IRG_ABI
 }  // namespace irg

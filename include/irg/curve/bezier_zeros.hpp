@@ -106,7 +106,7 @@ inline namespace IRG_ABI {
 /// cost    some digits / 2 halvings for each zero, each with two bezier_split; then halvings of bezier_point
 /// source  Lane and Riesenfeld 1981
 template <Floating T, class Sink>
-constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::type_identity_t<T> uncertainty,
+constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::type_identity_t<T> uncertainty,
                                std::type_identity_t<std::span<vec<T, 1>>> scratch, Sink&& sink) {
   constexpr int depth = std::numeric_limits<T>::digits / 2 + 2;
   const std::size_t n = coefficients.size();
@@ -157,6 +157,8 @@ constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::typ
   }
   zeros.close(0);
 }
+
+IRG_RENAMED(bernstein_zeros, bernstein_roots)
 
 }  // namespace IRG_ABI
 }  // namespace irg

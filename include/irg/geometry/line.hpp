@@ -71,7 +71,8 @@ template <HomogeneousPoint P>
 ///         for exactly parallel lines only
 /// source  Mihajlovic 2016, the dual of formula 2.5; parallel lines have a common point at infinity
 template <Scalar T>
-[[nodiscard]] constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const line<T>& second) noexcept {
+[[nodiscard]] constexpr std::optional<hpoint<T, 2>> intersection_point(const line<T>& first,
+                                                                       const line<T>& second) noexcept {
   const auto own = [](const line<T>& l) { return vec<T, 3>{l.a, l.b, l.c}; };
   const auto p = detail::rounded_line<T>(
       values_of<2>([](const auto& a, const auto& b) { return cross(a, b); }, own(first), own(second)));
@@ -112,6 +113,8 @@ template <Scalar T, Point P>
 IRG_REFUSES_VECTORS(line_through);
 IRG_REFUSES_VECTORS(line_value);
 IRG_REFUSES_VECTORS(height_of);
+
+IRG_RENAMED(common_point, intersection_point)
 
 }  // namespace IRG_ABI
 }  // namespace irg

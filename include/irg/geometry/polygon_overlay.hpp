@@ -25,11 +25,11 @@
 
 namespace irg {
 
-/// How polygon_overlay ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
+/// How polygon_boolean ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
 /// made new crossings again and again (never seen).
 enum class [[nodiscard]] polygon_clip_status { done, not_finite, unresolved };
 
-/// What polygon_overlay did: of `pairs`, those beyond `compared` were skipped.
+/// What polygon_boolean did: of `pairs`, those beyond `compared` were skipped.
 /// shape   pieces are the edges at first, then what they are cut into; edges that run along each other from end to end
 ///         are one piece, or none where one takes the other back
 struct polygon_overlay_counts {
@@ -342,7 +342,7 @@ inline namespace IRG_ABI {
 template <PlanePolygon A, PlanePolygon B>
   requires OverlayScalar<scalar_of<polygon_point<A>>> &&
            std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
-[[nodiscard]] constexpr auto polygon_overlay(const A& a, const B& b,
+[[nodiscard]] constexpr auto polygon_boolean(const A& a, const B& b,
                                              boolean_operation operation = boolean_operation::intersection,
                                              fill_rule rule = fill_rule::even_odd) {
   using S = scalar_of<polygon_point<A>>;
@@ -357,6 +357,8 @@ template <PlanePolygon A, PlanePolygon B>
   if (!finite) return clipped_rings<T>{polygon_clip_status::not_finite, {}, {}};
   return detail::combine_pieces(pieces, operation, rule);
 }
+
+IRG_RENAMED(polygon_overlay, polygon_boolean)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -38,8 +38,8 @@ template <Real T, int N>
 /// The smallest box around the segment.
 /// exact   no arithmetic
 template <class T, int N>
-[[nodiscard]] constexpr box<T, N> enclosing_box(const segment<T, N>& s) noexcept {
-  return enclosing_box(enclosing_box(box<T, N>{}, s.a), s.b);
+[[nodiscard]] constexpr box<T, N> bounding_box(const segment<T, N>& s) noexcept {
+  return bounding_box(bounding_box(box<T, N>{}, s.a), s.b);
 }
 
 /// The segment from b to a.

@@ -159,7 +159,7 @@ private:
     const triangle_corners c = corners_of(triangles, t);
     const auto& at = vertices_.screen;
     return c.cut != 0 ? pieces_of(c, 0).double_area
-                      : signed_double_area(at[c.v[0]].position, at[c.v[1]].position, at[c.v[2]].position);
+                      : twice_signed_area(at[c.v[0]].position, at[c.v[1]].position, at[c.v[2]].position);
   }
   constexpr void add_triangle(line_drawing& drawing, const mesh<T>& triangles, std::size_t t) const {
     const triangle_corners c = corners_of(triangles, t);

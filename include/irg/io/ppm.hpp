@@ -224,7 +224,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_ppm(const R& ra
 
 template <EncodableRaster R>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& raster) {
-  return detail::encode_netpbm('5', 1, raster, [](const rgba8& p, std::uint8_t* out) { *out = gray_level(p); });
+  return detail::encode_netpbm('5', 1, raster, [](const rgba8& p, std::uint8_t* out) { *out = grey_level(p); });
 }
 
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>

@@ -273,7 +273,7 @@ template <Floating T>
     if (!reader.text()) return detail::error_at(text, reader.cursor.place, reader.cursor.message);
     read = std::move(reader.read);
   }
-  if (options.positions == stl_positions::shared) read = merge_positions(std::move(read));
+  if (options.positions == stl_positions::shared) read = with_merged_positions(std::move(read));
   return read;
 }
 

@@ -69,7 +69,7 @@ template <Mesh M>
   for (std::size_t v = 0; v < mesh_traits<M>::vertex_count(m); ++v)
     for (int i = 0; i < 3; ++i)
       if (!is_finite(coordinate(mesh_traits<M>::position(m, v), i))) return {{}, 1, fit_status::not_finite};
-  return fit_of(enclosing_box(m));
+  return fit_of(bounding_box(m));
 }
 
 /// Where a fit takes a point.

@@ -155,7 +155,7 @@ inline namespace IRG_ABI {
 ///         texture coordinates and parts are kept
 /// needs   a mesh in which validate() finds no defect, of less than 2^31 corners
 /// gives   an empty mesh and the reason when it is no surface of faces that run alike. list_faults() tells every place
-/// exact   always: positions are not looked at. merge_positions() comes first where equal ones are one vertex
+/// exact   always: positions are not looked at. with_merged_positions() comes first where equal ones are one vertex
 /// cost    linear for surfaces of bounded genus, O(n^1.5) for any mesh; 16 bytes for each half-edge and for each face
 /// source  Weiler 1985; Mantyla 1988; Chiba and Nishizeki 1985 (the vertex with fewer edges)
 template <Scalar T>

@@ -134,7 +134,7 @@ IRG_INLINE constexpr auto depth_difference(const mean_depth<Weight, Depth>& a,
 IRG_INLINE constexpr plane_depth_at plane_at(const screen_face& f, const subpixel& p) noexcept {
   const std::int64_t sign = f.coverage.flipped ? -1 : 1, total = f.coverage.double_area;
   const subpixel &a = f.v[0].position, &b = f.v[1].position, &c = f.v[2].position;
-  const std::int64_t at_a = sign * signed_double_area(p, b, c), at_b = sign * signed_double_area(a, p, c);
+  const std::int64_t at_a = sign * twice_signed_area(p, b, c), at_b = sign * twice_signed_area(a, p, c);
   return {{at_a, at_b, total - at_a - at_b}, total, {f.v[0].depth, f.v[1].depth, f.v[2].depth}};
 }
 

@@ -31,7 +31,7 @@ struct transparent_settings {
 inline namespace IRG_ABI {
 
 /// Draws transparent triangles into a picture whose opaque part, with its depths, is finished; returns what it did.
-/// shape   as draw_batches. What a pixel shader gives is handed to blend(pixel below, it) -> pixel; the default takes
+/// shape   as shade_batches. What a pixel shader gives is handed to blend(pixel below, it) -> pixel; the default takes
 ///         rgba8 whose `a` is the opacity, the colour not multiplied by it, and mixes light. An AttributeShading with
 ///         opacity among its attributes gives every vertex an opacity of its own
 /// needs   `depth` of the same order and size, no part of it NaN where something is to be seen

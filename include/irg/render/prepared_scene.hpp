@@ -73,7 +73,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr object_extent<T> extent_of(const object<T>& o) noexcept {
   object_extent<T> e{{}, o.shape.corners.size() - 2 * o.shape.face_count()};
-  for (const point<T, 3>& p : o.shape.positions) e.bounds = enclosing_box(e.bounds, transform_point(o.placement, p));
+  for (const point<T, 3>& p : o.shape.positions) e.bounds = bounding_box(e.bounds, transform_point(o.placement, p));
   return e;
 }
 
@@ -82,7 +82,7 @@ template <Floating T>
 /// cost    linear, and ear clipping for faces of more than three corners; allocates the result
 template <Floating T>
 [[nodiscard]] constexpr prepared_object<T> prepare_object(const object<T>& o) {
-  mesh<T> shape = transform_mesh(o.shape, o.placement);
+  mesh<T> shape = transformed(o.shape, o.placement);
   drawable<T> body = make_drawable(shape);
   return {std::move(shape), std::move(body), extent_of(o), o.surface, {}};
 }

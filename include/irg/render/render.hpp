@@ -94,7 +94,7 @@ struct IRG_APART objects_to_prepare {
   }
   constexpr std::size_t size() const noexcept { return source.size(); }
   constexpr const object_extent<T>& extent(std::size_t i) const noexcept { return extents[i]; }
-  constexpr mesh<T> shape(std::size_t i) const { return transform_mesh(source[i].shape, source[i].placement); }
+  constexpr mesh<T> shape(std::size_t i) const { return transformed(source[i].shape, source[i].placement); }
   constexpr prepared_object<T>& operator[](std::size_t i) {
     if (is_made[i] == 0) made[i] = prepare_object(source[i]);
     is_made[i] = 1;

@@ -48,7 +48,7 @@ inline namespace IRG_ABI {
 
 /// All triangles that a ray crosses, in the order in which it does.
 /// gives   of those whose times are one double the lower number first
-/// exact   which are crossed, as cross_triangle; the order is that of the rounded times
+/// exact   which are crossed, as intersect_triangle; the order is that of the rounded times
 /// cost    as all_hits, and sorting; allocates the result
 template <Floating T, Floating U>
 [[nodiscard]] constexpr std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r) {

@@ -58,8 +58,8 @@ constexpr checked<mat<scalar_of<P>, 4, 4>, look_at_status> look_at_checked(const
       !detail::within(up, (limits::max)()))
     return {identity<T, 4>(), look_at_status::not_finite};
 
-  const auto backward =
-      try_normalize(generate_coordinates<vec<T, 3>>([&](int i) { return coordinate(eye, i) - coordinate(target, i); }));
+  const auto backward = try_normalized(
+      generate_coordinates<vec<T, 3>>([&](int i) { return coordinate(eye, i) - coordinate(target, i); }));
   const vec<T, 3> z = backward ? *backward : vec<T, 3>{0, 0, 1};
   const vec<T, 3> unit_up = normalized(generate_coordinates<vec<T, 3>>([&](int i) { return coordinate(up, i); }));
   vec<T, 3> side = cross(unit_up, z);

@@ -158,7 +158,7 @@ private:
       if (depth % 2 != 0) std::swap(c.before, c.after);
       walls_.push_back({c.before, c.at});
       corners_.push_back(c);
-      extent_ = enclosing_box(extent_, c.at);
+      extent_ = bounding_box(extent_, c.at);
     }
   }
 

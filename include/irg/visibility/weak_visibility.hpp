@@ -194,7 +194,7 @@ public:
     turn_outwards(rings);
     const std::size_t n = rings[0].size();
     for (std::size_t i = 0; i < n; ++i) {
-      bounds_ = enclosing_box(bounds_, rings[0][i]);
+      bounds_ = bounding_box(bounds_, rings[0][i]);
       window_.push_back({rings[0][i], rings[0][(i + 1) % n]});
     }
   }

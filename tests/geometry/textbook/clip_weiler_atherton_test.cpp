@@ -76,7 +76,7 @@ TEST_CASE("textbook::clip_weiler_atherton: holes") {
   CHECK(irg::polygon_area(around.rings) == 72);
 }
 
-TEST_CASE("textbook::clip_weiler_atherton: what polygon_overlay finds, for random stars") {
+TEST_CASE("textbook::clip_weiler_atherton: what polygon_boolean finds, for random stars") {
   test::random random(1977);
   const int trials = std::getenv("IRG_RELEASE_TIER") ? 100000 : 1500;
   int several = 0, done = 0;
@@ -88,7 +88,7 @@ TEST_CASE("textbook::clip_weiler_atherton: what polygon_overlay finds, for rando
     if (walked.status != weiler_atherton_status::done) continue;
     ++done;
     CHECK(walked.entering.size() == walked.leaving.size());
-    const auto overlay = irg::polygon_overlay(a, b);
+    const auto overlay = irg::polygon_boolean(a, b);
     several += overlay.rings.size() > 1;
     const double want = irg::polygon_area(overlay.rings), got = irg::polygon_area(walked.rings);
     CHECK(walked.rings.size() == overlay.rings.size());

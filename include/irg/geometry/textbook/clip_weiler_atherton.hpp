@@ -2,7 +2,7 @@
 // Weiler and Atherton's clipping, as they tell it: both polygons are lists of vertices, into which the points are put
 // where the boundaries cross. Those where the subject enters the clip polygon make one list, those where it leaves
 // another. From an entering point the walk follows the subject, from a leaving point the clip polygon, until it is back
-// at its start. It takes polygons in general position only; polygon_overlay (geometry/polygon_overlay.hpp) takes all.
+// at its start. It takes polygons in general position only; polygon_boolean (geometry/polygon_overlay.hpp) takes all.
 #pragma once
 
 #include <algorithm>

@@ -121,7 +121,7 @@ public:
 private:
   constexpr void measure(part& p) {
     p.made = made_++;
-    const auto all = enclosing_box(p.polygon.corners);
+    const auto all = bounding_box(p.polygon.corners);
     p.farthest = all.low.z;
     p.nearest = all.high.z;
   }

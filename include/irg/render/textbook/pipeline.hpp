@@ -41,7 +41,7 @@ constexpr void draw_triangles(std::span<const point<double, 3>> corners, const m
       v[k] = {snap(x), snap(y)};
     }
     // 2. The triangle: twice its area, negative where its back is seen, and the box of its pixels.
-    const std::int64_t area = k == 3 ? signed_double_area(v[2], v[1], v[0]) : 0;
+    const std::int64_t area = k == 3 ? twice_signed_area(v[2], v[1], v[0]) : 0;
     if (area <= 0) continue;
     const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
     const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
@@ -52,7 +52,7 @@ constexpr void draw_triangles(std::span<const point<double, 3>> corners, const m
         bool inside = true;
         for (k = 0; k < 3; ++k) {
           const subpixel from = v[(k + 2) % 3], to = v[(k + 1) % 3];
-          const std::int64_t e = signed_double_area(from, to, {x * one_pixel + half_pixel, y * one_pixel + half_pixel});
+          const std::int64_t e = twice_signed_area(from, to, {x * one_pixel + half_pixel, y * one_pixel + half_pixel});
           inside = inside && (e > 0 || (e == 0 && (to.y < from.y || (to.y == from.y && to.x > from.x))));
           b[k] = static_cast<double>(e) / static_cast<double>(area);
         }

@@ -184,7 +184,7 @@ private:
     } else if (ta == 0 || tb == 0) {
       at.at = ta == 0 ? t.a : t.b;
     } else {
-      at.at = *crossing_point(s, t);
+      at.at = *intersection_point(s, t);
       at.is_given = false;
     }
     add(i, at, sides_of(d, ta, tb));
