@@ -59,7 +59,7 @@ bool plain_is_inside(const body& m, const place& p) {
 
 void enter_case(const std::string& name, const body& shape) {
   const int count = smoke() ? 16 : 2048;
-  auto& triangles = keep(irg::triangulate(shape));
+  auto& triangles = keep(irg::triangulated(shape));
   auto& points = keep(std::vector<place>{});
   test::random random(9);
   const auto corner = [&] {

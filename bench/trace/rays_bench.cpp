@@ -71,7 +71,7 @@ struct model {
 
 model make_model(const irg::mesh<float>& body, int width, int height) {
   model m;
-  const auto cut = irg::triangulate(body);
+  const auto cut = irg::triangulated(body);
   for (std::size_t f = 0; f < cut.face_count(); ++f)
     m.triangles.push_back({cut.positions[cut.corner(f, 0).position], cut.positions[cut.corner(f, 1).position],
                            cut.positions[cut.corner(f, 2).position]});

@@ -37,7 +37,7 @@ inline picture faces() {
   irg::add_face(m, std::array{1, 2, 3, 4, 5});
   irg::add_face(m, std::array{7, 6, 5, 4, 3, 10, 9, 8});
   const irg::rgba8 colours[] = {{206, 222, 240, 255}, {240, 210, 200, 255}, {210, 228, 208, 255}};
-  const body triangles = irg::triangulate(m);
+  const body triangles = irg::triangulated(m);
   for (int i = 0; i < 2; ++i) {
     const board b{p, panel * i + 24.0, height - 20.0, 76};
     const auto flat = [](const shape& s) {

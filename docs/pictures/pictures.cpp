@@ -123,7 +123,7 @@ void depth() {
     };
     const irg::screen_vertex a{{20 * 256, top * 256}, left}, b{{400 * 256, top * 256}, right},
         c{{210 * 256, 210 * 256}, (left + right) / 2};
-    irg::draw_triangle(
+    irg::shade_triangle(
         p, z, {a, b, c},
         irg::vertex_colour_shader<irg::rgba8, encode_light>{mix(a.depth), mix(b.depth), mix(c.depth), {}});
   };

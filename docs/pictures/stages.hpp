@@ -241,7 +241,7 @@ void fill(picture& colour, irg::image<float>& depth) {
     const irg::solid_shader<irg::rgba8> paint{{v, v, v, 255}};
     const auto left = clipped(m, f);
     for (int k = 1; k + 1 < left.count; ++k)
-      irg::draw_triangle<Order>(
+      irg::shade_triangle<Order>(
           colour, depth,
           {irg::to_screen(left.vertices[0].position, mapping), irg::to_screen(left.vertices[k].position, mapping),
            irg::to_screen(left.vertices[k + 1].position, mapping)},
@@ -277,7 +277,7 @@ inline picture on_one_screen() {
   std::vector<point3> corners;
   const body m = in_camera();
   for (const irg::mesh_corner& c : m.corners) corners.push_back(m.positions[c.position]);
-  irg::textbook::draw_triangles(corners, projection(), p, depth, [](std::size_t, const auto& at) {
+  irg::textbook::shade_triangles(corners, projection(), p, depth, [](std::size_t, const auto& at) {
     const auto channel = [&](float a, float b, float c) {
       return static_cast<std::uint8_t>(60 + 190 * at.interpolate(a, b, c));
     };

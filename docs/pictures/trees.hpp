@@ -94,7 +94,7 @@ inline picture parts() {
 }
 
 inline std::vector<std::array<irg::point<double, 3>, 3>> triangles_of(const irg::mesh<double>& body) {
-  const irg::mesh<double> m = irg::triangulate(body);
+  const irg::mesh<double> m = irg::triangulated(body);
   std::vector<std::array<irg::point<double, 3>, 3>> all;
   for (std::size_t f = 0; f < m.face_count(); ++f)
     all.push_back({m.positions[m.corner(f, 0).position], m.positions[m.corner(f, 1).position],

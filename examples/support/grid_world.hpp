@@ -188,7 +188,7 @@ private:
       sight_ = sight_by(e, units, [&](const irg::cell3& u, const irg::cell3& c) {
         if (u.z != c.z) return sight::blocked;
         if (by_thesis_) return irg::textbook::sight_2d(layer{map_.grid, c.z}, {u.x, u.y}, {c.x, c.y});
-        return irg::see(map_.grid, u, c) ? sight::full : sight::blocked;
+        return irg::has_line_of_sight(map_.grid, u, c) ? sight::full : sight::blocked;
       });
     }
     build();

@@ -192,7 +192,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("edge_through", FOREIGN_CALL(irg::edge_through(v.a, v.b)));
   call("line_through", FOREIGN_CALL(irg::line_through(v.a, v.b)));
   call("line_value", FOREIGN_CALL(irg::line_value(irg::line<double>{1, 2, 3}, v.b)));
-  call("height_of", FOREIGN_CALL(irg::height_of(irg::line<double>{1, 2, 3}, v.b)));
+  call("vertical_side_of", FOREIGN_CALL(irg::vertical_side_of(irg::line<double>{1, 2, 3}, v.b)));
   call("intersect_lines", FOREIGN_CALL(irg::intersect_lines(v.a, v.c, v.b, v.d)));
   call("intersect_segments", FOREIGN_CALL(irg::intersect_segments(v.a, v.c, v.b, v.d)));
   call("parametric_line_through", FOREIGN_CALL(irg::parametric_line_through(v.a3, v.b3)));

@@ -7,7 +7,6 @@
 #include "support/exact.hpp"
 #include "support/rational.hpp"
 
-using irg::height_of;
 using irg::hpoint;
 using irg::intersection_point;
 using irg::line;
@@ -15,6 +14,7 @@ using irg::line_through;
 using irg::line_value;
 using irg::point;
 using irg::side;
+using irg::vertical_side_of;
 using test::rational;
 
 namespace {
@@ -63,14 +63,14 @@ TEST_CASE("line: equal points, NaN, ends of the range") {
 
 TEST_CASE("line: above and below are not left and right") {
   constexpr L forward{-2, 3, -1}, backward{2, -3, 1};
-  CHECK_BOTH(height_of(forward, P{1, 3}) == side::above);
-  CHECK_BOTH(height_of(backward, P{1, 3}) == side::above);  // on the right of it
-  CHECK_BOTH(height_of(forward, P{4, 3}) == side::on);
-  CHECK_BOTH(height_of(backward, P{4, 0}) == side::below);
-  CHECK_BOTH(height_of(L{4, 0, 0}, P{4, 0}) == std::nullopt);
-  CHECK_BOTH(height_of(L{1, -1, 0}, P{1, 1 + 0x1p-52}) == side::above);
-  CHECK_BOTH(height_of(L{huge, -huge, 0}, P{huge, huge}) == side::on);
-  CHECK_BOTH(height_of(line<int>{2, -3, 1}, I{1, 3}) == side::above);
+  CHECK_BOTH(vertical_side_of(forward, P{1, 3}) == side::above);
+  CHECK_BOTH(vertical_side_of(backward, P{1, 3}) == side::above);  // on the right of it
+  CHECK_BOTH(vertical_side_of(forward, P{4, 3}) == side::on);
+  CHECK_BOTH(vertical_side_of(backward, P{4, 0}) == side::below);
+  CHECK_BOTH(vertical_side_of(L{4, 0, 0}, P{4, 0}) == std::nullopt);
+  CHECK_BOTH(vertical_side_of(L{1, -1, 0}, P{1, 1 + 0x1p-52}) == side::above);
+  CHECK_BOTH(vertical_side_of(L{huge, -huge, 0}, P{huge, huge}) == side::on);
+  CHECK_BOTH(vertical_side_of(line<int>{2, -3, 1}, I{1, 3}) == side::above);
 }
 
 #ifdef IRG_HAVE_MPFR

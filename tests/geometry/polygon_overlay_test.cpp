@@ -21,7 +21,7 @@ using Rings = std::vector<Ring>;
 
 namespace {
 
-constexpr boolean_operation all_operations[] = {boolean_operation::intersection, boolean_operation::unite,
+constexpr boolean_operation all_operations[] = {boolean_operation::intersection, boolean_operation::union_,
                                                 boolean_operation::difference, boolean_operation::symmetric_difference};
 
 template <class R>
@@ -53,7 +53,7 @@ int winding(const Rings& rings, double x, double y) {
 
 bool expected_inside(bool a, bool b, boolean_operation op) {
   if (op == boolean_operation::intersection) return a && b;
-  if (op == boolean_operation::unite) return a || b;
+  if (op == boolean_operation::union_) return a || b;
   if (op == boolean_operation::difference) return a && !b;
   return a != b;
 }
@@ -68,7 +68,7 @@ constexpr Ring square(double x, double y, double size) {
 
 TEST_CASE("polygon_boolean: by hand, in every life") {
   CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::intersection) == 1);
-  CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::unite) == 7);
+  CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::union_) == 7);
   CHECK(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::difference) == 3);
   CHECK(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::symmetric_difference) == 6);
   // A comb cut by a bar falls apart.
@@ -81,7 +81,7 @@ TEST_CASE("polygon_boolean: by hand, in every life") {
   const auto frame = polygon_boolean(square(0, 0, 3), square(1, 1, 1), boolean_operation::difference);
   CHECK(frame.rings.size() == 2);
   CHECK(area(frame.rings) == 8);
-  const auto again = polygon_boolean(frame.rings, Rings{square(1, 1, 1)}, boolean_operation::unite);
+  const auto again = polygon_boolean(frame.rings, Rings{square(1, 1, 1)}, boolean_operation::union_);
   CHECK(again.rings == Rings{Ring{{0, 0}, {3, 0}, {3, 3}, {0, 3}}});
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("polygon_boolean: what was compared is counted") {
              sum(counted_by_force(edges({square(0, 0, 2), square(1, 1, 2)})),
                  counted_by_force(edges({Ring{{0, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}},
                                          Ring{{1, 1}, {2, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 2}}}))));
-  const auto crossed = polygon_boolean(square(0, 0, 2), square(1, 1, 2), boolean_operation::unite).counts;
+  const auto crossed = polygon_boolean(square(0, 0, 2), square(1, 1, 2), boolean_operation::union_).counts;
   CHECK(crossed.rounds == 2);
   CHECK(crossed.pairs == 28 + 66);
   CHECK(crossed.crossings == 2);
@@ -168,19 +168,19 @@ TEST_CASE("polygon_boolean: what was compared is counted") {
 TEST_CASE("polygon_boolean: shared edges, touching vertices, equal polygons") {
   const Ring a = square(0, 0, 2);
   CHECK(polygon_boolean(a, a).rings == Rings{a});
-  CHECK(polygon_boolean(a, a, boolean_operation::unite).rings == Rings{a});
+  CHECK(polygon_boolean(a, a, boolean_operation::union_).rings == Rings{a});
   CHECK(polygon_boolean(a, a, boolean_operation::difference).rings.empty());
   CHECK(polygon_boolean(a, a, boolean_operation::symmetric_difference).rings.empty());
   const Ring back(a.rbegin(), a.rend());
   CHECK(area(polygon_boolean(a, back).rings) == 4);
   // Side by side: nothing in common, one rectangle.
   CHECK(polygon_boolean(a, square(2, 0, 2)).rings.empty());
-  CHECK(polygon_boolean(a, square(2, 0, 2), boolean_operation::unite).rings ==
+  CHECK(polygon_boolean(a, square(2, 0, 2), boolean_operation::union_).rings ==
         Rings{Ring{{0, 0}, {4, 0}, {4, 2}, {0, 2}}});
-  CHECK(area(polygon_boolean(a, square(2, 1, 2), boolean_operation::unite).rings) == 8);
+  CHECK(area(polygon_boolean(a, square(2, 1, 2), boolean_operation::union_).rings) == 8);
   // Corner to corner: two pieces.
   CHECK(polygon_boolean(a, square(2, 2, 2)).rings.empty());
-  CHECK(polygon_boolean(a, square(2, 2, 2), boolean_operation::unite).rings.size() == 2);
+  CHECK(polygon_boolean(a, square(2, 2, 2), boolean_operation::union_).rings.size() == 2);
   // A corner on an edge, from within and from without; a common part of an edge from within.
   CHECK(area(polygon_boolean(a, Ring{{1, 0}, {1.5, 1}, {0.5, 1}}).rings) == 0.5);
   CHECK(polygon_boolean(a, Ring{{1, 0}, {1.5, -1}, {0.5, -1}}).rings.empty());
@@ -266,8 +266,8 @@ TEST_CASE("polygon_boolean: samples and areas, polygons of all kinds") {
     }
     // A polygon cut off and put together: (a - b) + (a and b) = a, and what the identity says of all four.
     wrong += std::abs(areas[1] - areas[0] - areas[3]) <= 1e-13 ? 0 : 1;
-    const double whole_a = area(polygon_boolean(a, Rings{}, boolean_operation::unite, rule).rings);
-    const double whole_b = area(polygon_boolean(b, Rings{}, boolean_operation::unite, rule).rings);
+    const double whole_a = area(polygon_boolean(a, Rings{}, boolean_operation::union_, rule).rings);
+    const double whole_b = area(polygon_boolean(b, Rings{}, boolean_operation::union_, rule).rings);
     wrong += std::abs(whole_a + whole_b - areas[0] - areas[1]) <= 1e-13 ? 0 : 1;
     wrong += std::abs(whole_a - areas[0] - areas[2]) <= 1e-13 ? 0 : 1;
   }
@@ -364,7 +364,7 @@ TEST_CASE("polygon_boolean: polygons of many edges, few of which overlap in x") 
     shifted.push_back({circle.back().x + 0.5, circle.back().y});
     saw.push_back({static_cast<double>(i), i % 2 == 0 ? 0.0 : 1.0});
   }
-  for (const auto operation : {boolean_operation::intersection, boolean_operation::unite}) {
+  for (const auto operation : {boolean_operation::intersection, boolean_operation::union_}) {
     const auto lens = polygon_boolean(circle, shifted, operation);
     CHECK((lens.status == polygon_clip_status::done && lens.rings.size() == 1));
   }

@@ -60,7 +60,7 @@ constexpr bool shows(const point3& eye, std::initializer_list<std::uint32_t> vis
     const auto plane = *irg::plane_through(a, b, c);
     const point3 centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
     const facing side = expected(f);
-    if (irg::facing_by_plane(plane, eye) != side || irg::side_of_face(m, f, irg::to_homogeneous(eye)) != side)
+    if (irg::facing_by_plane(plane, eye) != side || irg::facing_of(m, f, irg::to_homogeneous(eye)) != side)
       return false;
     if (irg::facing_by_angle(irg::normal_of(plane), centre, eye) != side) return false;
     if (!irg::is_hidden(side)) hidden.push_back(f);
@@ -139,7 +139,7 @@ TEST_CASE("back_faces: random triangles of integers, exactly") {
     const point3 eye{number(), number(), number()};
     const facing side = exact_side(m, eye);
     edge_on += side == facing::edge_on;
-    CHECK(irg::side_of_face(m, 0, irg::to_homogeneous(eye)) == side);
+    CHECK(irg::facing_of(m, 0, irg::to_homogeneous(eye)) == side);
     const auto plane = irg::plane_through(m.positions[0], m.positions[1], m.positions[2]);
     if (plane) CHECK(irg::facing_by_angle(irg::normal_of(*plane), m.positions[0], eye) == side);
   }
@@ -185,7 +185,7 @@ TEST_CASE_TEMPLATE("back_faces: every form is exact, for coordinates of every si
         value = value + normal * way;
         cosine = cosine + at(1, i) * (at(2, i) - at(0, i));
       }
-      const facing side = irg::side_of_face(m, 0, eye);
+      const facing side = irg::facing_of(m, 0, eye);
       CHECK(side == sign(value));
       edge_on += side == facing::edge_on;
       const irg::point<T, 3> p0 = m.positions[0], p1 = m.positions[1], p2 = m.positions[2];
@@ -208,11 +208,11 @@ TEST_CASE("back_faces: what cannot be seen, and what is out of range") {
                  {inf, 1, 0}, {1e308, 0, 0}, {0, 1e308, 0}, {0, 5e-324, 0}};
   for (const auto& f : {std::array{0, 1, 2}, {0, 0, 0}, {0, 1, 4}, {0, 1, 5}, {0, 6, 7}, {0, 1, 8}})
     irg::add_face(m, f);
-  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == facing::edge_on);
+  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::facing_of(m, f, hpoint3{0, 0, 1, 1}) == facing::edge_on);
   for (std::size_t f = 4; f < 6; ++f) {
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == facing::front);
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, -1, 1}) == facing::back);
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, nan, 1}) == facing::edge_on);
+    CHECK(irg::facing_of(m, f, hpoint3{0, 0, 1, 1}) == facing::front);
+    CHECK(irg::facing_of(m, f, hpoint3{0, 0, -1, 1}) == facing::back);
+    CHECK(irg::facing_of(m, f, hpoint3{0, 0, nan, 1}) == facing::edge_on);
   }
   CHECK(irg::front_faces(m, hpoint3{0, 0, 1, 1}) == faces{4, 5});
 }

@@ -64,7 +64,7 @@ TEST_CASE("mesh files: the format is known by the content, at compile time, too"
 }
 
 TEST_CASE("mesh files: every format gives the same body") {
-  const irg::mesh<float> cube = irg::triangulate(irg::shape_cube<float>());
+  const irg::mesh<float> cube = irg::triangulated(irg::shape_cube<float>());
   for (const std::string& bytes : files_of(cube)) {
     const auto r = irg::read_mesh<float>(bytes);
     REQUIRE(test::outcome_of(r) == "");
@@ -132,7 +132,7 @@ TEST_CASE("mesh files: NaN in what is not used") {
 }
 
 TEST_CASE("mesh files: what cannot be read gets the sentence of the format that its name asks for") {
-  const auto cube = irg::triangulate(irg::shape_cube<float>());
+  const auto cube = irg::triangulated(irg::shape_cube<float>());
   std::string binary = as_text(*irg::encode_stl(cube, mesh_encoding::little_endian));
   const auto outcome = [](std::string_view bytes, mesh_format named) {
     return test::outcome_of(irg::read_mesh<float>(bytes, named));

@@ -36,7 +36,7 @@ void check_round_trip(const irg::mesh<double>& m) {
   const auto b = irg::to_half_edges(m);
   REQUIRE(b.status == half_edge_status::done);
   CHECK(test::is_sound(b.value));
-  CHECK(irg::from_half_edges(b.value) == m);
+  CHECK(irg::to_mesh(b.value) == m);
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ TEST_CASE("to_half_edges: one face that has a vertex as a corner 20,000 times") 
   const auto b = irg::to_half_edges(m);
   REQUIRE(b.status == half_edge_status::done);  // to and fro along each edge: a sphere
   CHECK(irg::counts_of(b.value) == irg::half_edge_counts{n + 1, n, 1, 0, 1, 0, 0});
-  CHECK(irg::from_half_edges(b.value) == m);
+  CHECK(irg::to_mesh(b.value) == m);
   // What is wrong first is the reason, and no more is looked at.
   for (int i = 0; i < n; ++i) three.insert(three.end(), {0, 1, 2});
   CHECK(status_of(faces_of(3, three)) == half_edge_status::faces_turned_apart);

@@ -35,7 +35,7 @@ std::string difference(const irg::mesh<T>& m, const std::string& path, irg::mesh
   const bool triangles = format == irg::mesh_format::stl;
   if (read.n_vertices() != m.positions.size()) return "has other vertices";
   if (!triangles && read.n_faces() != m.face_count()) return "has other faces";
-  if (triangles) return read.n_faces() == irg::triangulate(m).face_count() ? "" : "has other triangles";
+  if (triangles) return read.n_faces() == irg::triangulated(m).face_count() ? "" : "has other triangles";
   for (std::size_t v = 0; v < m.positions.size(); ++v) {
     const open_mesh::VertexHandle h(static_cast<int>(v));
     for (unsigned i = 0; i < 3; ++i)

@@ -30,7 +30,7 @@ int trials(int few, int many) { return std::getenv("IRG_RELEASE_TIER") != nullpt
 // The triangles of a body, times s.
 template <class T>
 triangles_of<T> triangles(const irg::mesh<double>& body, double s = 1) {
-  const irg::mesh<double> m = irg::triangulate(body);
+  const irg::mesh<double> m = irg::triangulated(body);
   triangles_of<T> out;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     out.emplace_back();

@@ -59,8 +59,8 @@ constexpr id_picture visible_ids(const triangle_scene& s, irg::face_culling cull
     return irg::solid_shader<std::uint32_t>{triangle + 1};
   };
   const irg::draw_settings<std::uint32_t> settings{culling, skip, irg::clearing::before_drawing, 0};
-  p.stats = irg::draw_triangles<Order, T>(irg::render_target{p.id, p.depth}, {vertices, s.triangles, mapping}, shader,
-                                          settings, executor);
+  p.stats = irg::shade_triangles<Order, T>(irg::render_target{p.id, p.depth}, {vertices, s.triangles, mapping}, shader,
+                                           settings, executor);
   return p;
 }
 

@@ -197,11 +197,11 @@ TEST_CASE("cover_by_guards: every place is seen by a guard, and each part by its
       const double x = 10 * r.unit() - 5, y = 10 * r.unit() - 5;
       if (irg::point_in_polygon(p, place{x, y}, irg::fill_rule::even_odd) != irg::location::inside) continue;
       bool seen = false;
-      for (const std::size_t g : c.guards) seen = seen || irg::see(place{x, y}, corners[g], walls);
+      for (const std::size_t g : c.guards) seen = seen || irg::has_line_of_sight(place{x, y}, corners[g], walls);
       unseen += !seen;
       for (const auto& part : c.parts)
         if (irg::point_in_polygon(part.ring, place{x, y}) == irg::location::inside)
-          wrong += !irg::see(place{x, y}, corners[part.guard], walls);
+          wrong += !irg::has_line_of_sight(place{x, y}, corners[part.guard], walls);
     }
     double area = 0, whole = std::fabs(twice_area_of(p[0]));
     for (const auto& part : c.parts) area += twice_area_of(part.ring);

@@ -104,7 +104,7 @@ template <Scalar T>
 /// source  Mihajlovic 2016, 2.3, whose sign means above for x2 > x1 only
 template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
-[[nodiscard]] constexpr std::optional<side> height_of(const line<T>& l, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<side> vertical_side_of(const line<T>& l, const P& p) noexcept {
   if (l.b == T(0)) return std::nullopt;
   const int sign = side_of_line(l, p);
   return static_cast<side>(l.b < T(0) ? -sign : sign);
@@ -112,9 +112,10 @@ template <Scalar T, Point P>
 
 IRG_REFUSES_VECTORS(line_through);
 IRG_REFUSES_VECTORS(line_value);
-IRG_REFUSES_VECTORS(height_of);
+IRG_REFUSES_VECTORS(vertical_side_of);
 
 IRG_RENAMED(common_point, intersection_point)
+IRG_RENAMED(height_of, vertical_side_of)
 
 }  // namespace IRG_ABI
 }  // namespace irg

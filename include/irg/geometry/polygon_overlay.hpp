@@ -221,7 +221,7 @@ constexpr bool is_within_result(const int (&winding)[2], boolean_operation opera
   const bool a = inside(winding[0]), b = inside(winding[1]);
   switch (operation) {
     case boolean_operation::intersection: return a && b;
-    case boolean_operation::unite: return a || b;
+    case boolean_operation::union_: return a || b;
     case boolean_operation::difference: return a && !b;
     default: return a != b;
   }
@@ -327,7 +327,7 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
 
 inline namespace IRG_ABI {
 
-/// The polygon that belongs to both a and b (intersection), to either (unite), to a but not b (difference), or to one
+/// The polygon that belongs to both a and b (intersection), to either (union), to a but not b (difference), or to one
 /// of them alone (symmetric_difference). A polygon is a ring or a list of rings, of any direction and in any order;
 /// vertices may repeat, rings may touch, overlap and cross themselves and each other: `rule` says what is inside.
 /// shape   floats, doubles, or integers of up to 32 bits, whose crossings are doubles

@@ -92,13 +92,13 @@ template <PlaneRing R>
 /// exact   for every finite float and double, by Newell's normal, as side_of_polygon
 /// cost    as side_of_polygon
 template <SpaceMesh M>
-[[nodiscard]] constexpr facing side_of_face(const M& m, std::size_t f,
-                                            const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
+[[nodiscard]] constexpr facing facing_of(const M& m, std::size_t f,
+                                         const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
   return static_cast<facing>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
 }
 
 /// The faces of a mesh that are left when back faces are removed, in their order.
-/// shape   as side_of_face
+/// shape   as facing_of
 /// cost    linear; allocates the result
 template <SpaceMesh M>
 [[nodiscard]] constexpr std::vector<std::uint32_t> front_faces(const M& m,
@@ -106,13 +106,14 @@ template <SpaceMesh M>
                                                                edge_on_faces edge_on = edge_on_faces::hidden) {
   std::vector<std::uint32_t> left;
   for (std::size_t f = 0; f < mesh_face_count(m); ++f)
-    if (!is_hidden(side_of_face(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
+    if (!is_hidden(facing_of(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
   return left;
 }
 
 IRG_RENAMED(side_by_plane, facing_by_plane)
 IRG_RENAMED(side_by_angle, facing_by_angle)
 IRG_RENAMED(side_by_order, facing_by_order)
+IRG_RENAMED(side_of_face, facing_of)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -93,7 +93,7 @@ private:
   // front, -1 the back, 0 its edge.
   constexpr void add_faces(line_drawing& drawing) {
     const bool is_cut = mesh_.corners.size() == 3 * mesh_.face_count();
-    const mesh<T> cut = is_cut ? mesh<T>{} : triangulate(mesh_);
+    const mesh<T> cut = is_cut ? mesh<T>{} : triangulated(mesh_);
     const mesh<T>& triangles = is_cut ? mesh_ : cut;
     if (const std::size_t n = drawing.faces.size() + triangles.face_count(); n > drawing.faces.capacity())
       drawing.faces.reserve(greater(n, 2 * drawing.faces.capacity()));  // bodies are added one by one

@@ -58,7 +58,7 @@ constexpr result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format forma
     case mesh_format::body_xml: {
       const auto bodies = read_body_xml<T>(bytes);
       if (!bodies) return bodies.error();
-      return mesh_of_bodies(*bodies);
+      return to_mesh(*bodies);
     }
     case mesh_format::obj: break;
   }

@@ -34,7 +34,7 @@ inline namespace IRG_ABI {
 /// cost    linear for strictly convex faces, else O(n log n) and up to tests_per_corner * n tests
 /// source  Meisters 1975
 template <Scalar T>
-[[nodiscard]] constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options = {});
+[[nodiscard]] constexpr mesh<T> triangulated(mesh<T> m, triangulate_options options = {});
 
 }  // namespace IRG_ABI
 
@@ -87,7 +87,7 @@ private:
 inline namespace IRG_ABI {
 
 template <Scalar T>
-[[nodiscard]] constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options) {
+[[nodiscard]] constexpr mesh<T> triangulated(mesh<T> m, triangulate_options options) {
   const std::size_t triangles = m.corners.size() - 2 * m.face_count();
   IRG_EXPECTS(triangles <= 0xffffffffu / 3);
   if (triangles == m.face_count()) return m;
@@ -119,6 +119,8 @@ template <Scalar T>
   m.face_starts = std::move(face_starts);
   return m;
 }
+
+IRG_RENAMED(triangulate, triangulated)
 
 }  // namespace IRG_ABI
 }  // namespace irg

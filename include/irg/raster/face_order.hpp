@@ -15,7 +15,7 @@
 
 namespace irg {
 
-/// A face that covers a pixel, and its depth there as draw_triangle rounds it.
+/// A face that covers a pixel, and its depth there as shade_triangle rounds it.
 struct face_sample {
   const screen_face& face;
   float depth;
@@ -42,7 +42,7 @@ template <DepthOrder Order = nearer_is_greater>
                                                       int y) noexcept;
 
 /// The same of two faces that cover the pixel and whose rounded depths are at hand: these decide unless they are close.
-/// needs   depths by draw_triangle, or any within 8 roundings of floats
+/// needs   depths by shade_triangle, or any within 8 roundings of floats
 /// exact   as above
 /// cost    five comparisons of floats where depths are not negative and differ by more than 2^-20 of the greater one
 template <DepthOrder Order = nearer_is_greater>

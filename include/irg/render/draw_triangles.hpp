@@ -47,9 +47,9 @@ template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster C
   requires std::same_as<pixel_of<Depth>, float> && requires(const MakeShader& make_shader) {
     { make_shader(std::uint32_t{}, facing::front) } -> PixelShader<pixel_of<Colour>>;
   }
-constexpr render_stats draw_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                      const MakeShader& make_shader,
-                                      const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+constexpr render_stats shade_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                       const MakeShader& make_shader,
+                                       const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   return shade_batches<Order>(
       target, triangles, [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); },
       settings, executor);
@@ -107,5 +107,6 @@ constexpr render_stats shade_batches(render_target<Colour, Depth> target, const 
 }
 
 IRG_RENAMED(draw_batches, shade_batches)
+IRG_RENAMED(draw_triangles, shade_triangles)
 
 }  // namespace irg::inline IRG_ABI

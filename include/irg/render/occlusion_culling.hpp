@@ -272,7 +272,7 @@ struct key_plane {
   IRG_INLINE constexpr float rise(float y) const noexcept { return product(down, y); }
 };
 
-// The plane through three vertices, lowered by what rounding may amount to, here and in draw_triangle: no covered pixel
+// The plane through three vertices, lowered by what rounding may amount to, here and in shade_triangle: no covered pixel
 // is farther. None is farther than the farthest vertex either, which is the better bound for slivers.
 constexpr key_plane plane_below(const screen_vertex& a, const screen_vertex& b, const screen_vertex& c,
                                 float sign) noexcept {
@@ -289,7 +289,7 @@ constexpr key_plane plane_below(const screen_vertex& a, const screen_vertex& b, 
               size_down = product(absolute(down1) + absolute(down2), absolute(inverse));
   const float size = (product(size_right, width) + product(size_down, height)) +
                      greater(greater(absolute(key0), absolute(key1)), absolute(key2));
-  // Each path from vertices to a key takes less than 12 roundings of 2^-24, and draw_triangle's errs by 8 of them.
+  // Each path from vertices to a key takes less than 12 roundings of 2^-24, and shade_triangle's errs by 8 of them.
   const float bias = product(size, 0x1p-19f) + 0x1p-140f;
   return {key0 - bias, product(right1 - right2, inverse), product(down1 - down2, inverse),
           lesser(lesser(key0, key1), key2)};

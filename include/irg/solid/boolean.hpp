@@ -72,7 +72,7 @@ namespace detail::inline IRG_ABI {
 
 constexpr bool is_in_combination(bool first, bool second, boolean_operation operation) noexcept {
   switch (operation) {
-    case boolean_operation::unite: return first || second;
+    case boolean_operation::union_: return first || second;
     case boolean_operation::intersection: return first && second;
     case boolean_operation::difference: return first && !second;
     default: return first != second;
@@ -197,7 +197,7 @@ constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>
 inline namespace IRG_ABI {
 
 /// What two bodies have in common, what is in either, in the first but not the second, or in one of them alone.
-/// shape   triangles: faces of the bodies as triangulate() cuts them, cut where they meet. Equal positions are one
+/// shape   triangles: faces of the bodies as triangulated() cuts them, cut where they meet. Equal positions are one
 ///         corner; the places of corners, and the faces that triangles come from, are told beside. Triangles of one
 ///         plane and one part count as one face: no corner is made on the sides between them, and a new triangle goes
 ///         by the number of one of them

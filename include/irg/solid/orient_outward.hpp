@@ -38,7 +38,7 @@ inline namespace IRG_ABI {
 /// needs   a mesh in which validate() finds no defect, with finite positions; shells that do not cut each other, but
 ///         may touch
 /// gives   for `no_surface` the mesh as it was
-/// exact   always, for the triangles that triangulate() makes of the faces
+/// exact   always, for the triangles that triangulated() makes of the faces
 /// cost    O(n log n), and for each shell a pass over the others: exact volumes and one ray
 template <Floating T>
 constexpr outward_status orient_outward(mesh<T>& m);
@@ -86,7 +86,7 @@ enum class volume_part { whole, turned };
 // Adds six times the volume that a closed surface encloses, as it is or as if it were turned inside out.
 template <Floating T>
 constexpr void add_six_volumes(exact_accumulator<3>& sum, const mesh<T>& surface, volume_part part) {
-  each_solid_triangle(triangulate(surface), [&](const auto& a, const auto& b, const auto& c) {
+  each_solid_triangle(triangulated(surface), [&](const auto& a, const auto& b, const auto& c) {
     if (part == volume_part::whole)
       add_volume(sum, a, b, c);
     else

@@ -95,4 +95,9 @@ struct source_regions {
   constexpr bool operator==(const source_regions&) const = default;
 };
 
+inline namespace IRG_ABI {
+
+IRG_RENAMED(see, has_line_of_sight)
+
+}  // namespace IRG_ABI
 }  // namespace irg

@@ -79,7 +79,7 @@ TEST_CASE("textbook back faces: an infinitely far eye sees as the camera's axis 
     const vec3 z{number(), number(), number()};
     for (std::size_t f = 0; f < m.face_count(); ++f) {
       const vec3 normal = irg::face_normal(m, f).value_or(vec3{});
-      const facing side = irg::side_of_face(m, f, hpoint3{-z.x, -z.y, -z.z, 0});
+      const facing side = irg::facing_of(m, f, hpoint3{-z.x, -z.y, -z.z, 0});
       if (std::abs(dot(z, normal)) > 1e-12) CHECK(irg::textbook::is_back_by_axis(z, normal) == (side == facing::back));
     }
   }
