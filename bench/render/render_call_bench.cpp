@@ -35,7 +35,7 @@ irg::camera<double> camera_for(const scene& s) {
   }
   const irg::box<double, 3> bounds{widened(s.objects[0].bounds.low), widened(s.objects[0].bounds.high)};
   const double aspect = static_cast<double>(aspect_of(s));
-  c = irg::camera_around(irg::centre(bounds), irg::length(irg::size(bounds)) / 2, irg::vec<double, 3>{0, 0.2, 1},
+  c = irg::camera_around(irg::centre(bounds), irg::length(irg::extent(bounds)) / 2, irg::vec<double, 3>{0, 0.2, 1},
                          irg::radians(40.0), aspect);
   const irg::mat<double, 4, 4> to_clip = irg::view_projection(c, aspect);
   double reach = 0;  // of the body, in halves of the picture

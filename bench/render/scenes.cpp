@@ -140,7 +140,7 @@ static scene body_scene(const std::string& name, const body& b, double share, co
   scene s = empty_scene(name, irg::face_culling::back);
   add_body(s, fitted_body(b), 1, {}, {0.7f, 0.5f, 0.3f});
   const irg::box<float, 3>& extents = s.objects[0].bounds;
-  const auto view = irg::camera_around(irg::centre(extents), irg::length(irg::size(extents)) / 2,
+  const auto view = irg::camera_around(irg::centre(extents), irg::length(irg::extent(extents)) / 2,
                                        irg::vec<float, 3>{0, 0.2f, 1}, irg::radians(40.0f), aspect_of(s));
   s.to_clip = irg::view_projection(view, aspect_of(s));
   fill_picture(s, share);

@@ -48,7 +48,7 @@ TEST_CASE("box: type facts") {
 TEST_CASE("box: extents, centre and size, golden") {
   constexpr auto b = bounding_box(body);
   CHECK_BOTH(b == box<double, 3>{{2, 0, -1}, {6, 8, 3}});
-  CHECK_BOTH(size(b) == vec<double, 3>{4, 8, 4});
+  CHECK_BOTH(extent(b) == vec<double, 3>{4, 8, 4});
   CHECK_BOTH(centre(b) == P3{4, 4, 1});
   CHECK_BOTH(bounding_sphere_of(b).radius * bounding_sphere_of(b).radius - 24 < 1e-14);
   CHECK_BOTH(corner(b, 0) == b.low);
@@ -65,6 +65,18 @@ TEST_CASE("box: minimax, golden") {
   CHECK_BOTH(!overlap(a, box2{{2, 0}, {3, 1}}, open));
   CHECK_BOTH(overlap(a, box2{{1, 1}, {3, 3}}, open));
   CHECK_BOTH(!overlap(box2{{0, 0}, {4, 1}}, box2{{0, 2}, {4, 3}}));
+}
+
+TEST_CASE("box: what two boxes share") {
+  constexpr box2 a{{0, 0}, {2, 2}};
+  CHECK_BOTH(intersect(a, box2{{1, -1}, {3, 1}}) == box2{{1, 0}, {2, 1}});
+  CHECK_BOTH(intersect(a, a) == a);
+  CHECK_BOTH(intersect(a, box2{{2, 0}, {3, 1}}) == box2{{2, 0}, {2, 1}});  // they touch
+  CHECK_BOTH(is_empty(intersect(a, box2{{3, 0}, {4, 1}})));
+  CHECK_BOTH(is_empty(intersect(a, box2{})));
+  CHECK_BOTH(is_empty(intersect(a, box2{{nan_, 0}, {1, 1}})));
+  CHECK_BOTH(intersect(box2{{-inf, -inf}, {inf, inf}}, a) == a);
+  CHECK_BOTH(is_empty(intersect(box<fraction, 2>{}, box<fraction, 2>{})));
 }
 
 TEST_CASE("box: minimax of flat boxes") {
@@ -88,7 +100,7 @@ TEST_CASE("box: empty") {
   CHECK_BOTH(!overlap(none, box2{{-inf, -inf}, {inf, inf}}));
   CHECK_BOTH(!overlap(none, none));
   CHECK_BOTH(!contains(none, P2{0, 0}));
-  CHECK_BOTH(size(none) == vec<double, 2>{});
+  CHECK_BOTH(extent(none) == vec<double, 2>{});
   CHECK_BOTH(bounding_box(none, box2{{1, 2}, {3, 4}}) == box2{{1, 2}, {3, 4}});
   CHECK_BOTH(bounding_box(box2{{1, 2}, {3, 4}}, box2{{9, 9}, {0, 0}}) == box2{{1, 2}, {3, 4}});
 }

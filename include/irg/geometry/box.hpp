@@ -147,6 +147,16 @@ template <class T, int N>
   return true;
 }
 
+/// The box of the points that lie in both boxes.
+/// gives   an empty box when there is none; one without volume where they touch
+/// exact   comparisons alone
+template <class T, int N>
+[[nodiscard]] IRG_INLINE constexpr box<T, N> intersect(const box<T, N>& a, const box<T, N>& b) noexcept {
+  if (!overlap(a, b)) return {};
+  return {generate_coordinates<point<T, N>>([&](int i) { return greater(a.low[i], b.low[i]); }),
+          generate_coordinates<point<T, N>>([&](int i) { return lesser(a.high[i], b.high[i]); })};
+}
+
 /// Whether p lies in the box or on its boundary.
 /// gives   false when a coordinate of p is NaN
 /// exact   comparisons alone
@@ -159,7 +169,7 @@ template <class T, int N>
 /// gives   zeros for the empty box; infinity where the difference is beyond the range
 /// exact   each difference rounded once
 template <class T, int N>
-[[nodiscard]] constexpr vec<T, N> size(const box<T, N>& b) noexcept {
+[[nodiscard]] constexpr vec<T, N> extent(const box<T, N>& b) noexcept {
   if (is_empty(b)) return {};
   return b.high - b.low;
 }
@@ -217,6 +227,7 @@ template <Mesh M>
 }
 
 IRG_RENAMED(enclosing_box, bounding_box)
+IRG_RENAMED(size, extent)
 IRG_RENAMED(sphere_around, bounding_sphere_of)
 
 }  // namespace IRG_ABI
