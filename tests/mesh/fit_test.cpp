@@ -59,7 +59,7 @@ TEST_CASE("fit: random bodies fill the cube along their longest side") {
     }
     CHECK(fit_mesh(m) == fit_status::fitted);
     const auto b = bounding_box(m);
-    const auto s = size(b);
+    const auto s = extent(b);
     const double longest = greater(s.x, greater(s.y, s.z));
     CHECK(longest == doctest::Approx(2).epsilon(1e-8));
     for (int i = 0; i < 3; ++i) {
