@@ -180,7 +180,7 @@ public:
     if (kind == path_kind::through) {
       const std::vector<point> given = points_;
       if (irg::bspline_interpolate(*knots, places, std::span<const point>(given), points_).status !=
-          irg::bspline_fit_status::done)
+          irg::bspline_fit_status::ok)
         line.fail("successive points of the path are one");
     }
     room_.resize(2 * order);

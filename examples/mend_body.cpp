@@ -62,11 +62,11 @@ void run(program::command_line& line) {
   if (list) {
     for (const irg::mesh_fault& f : left) std::printf("%s\n", std::string(irg::sentence_of(f)).c_str());
   } else {
-    const char* const how = turned == irg::outward_status::done   ? "done"
+    const char* const how = turned == irg::outward_status::ok     ? "done"
                             : turned == irg::outward_status::open ? "open"
                                                                   : "no-surface";
     std::printf("before: %zu\nafter: %zu\nturned: %s\n", before, left.size(), how);
-    if (left.empty() && turned == irg::outward_status::done)
+    if (left.empty() && turned == irg::outward_status::ok)
       std::printf("volume: %s\n", program::shortest(irg::solid_volume(body)).c_str());
   }
   program::finish_output(line, out);

@@ -169,7 +169,7 @@ void run(program::command_line& line) {
   const irg::height_grid grid = read_heights(line, s);
   const auto plot = irg::plot_surface(grid.surface(), s.plot);
   if (plot.status == irg::grid_surface_status::eye_on_surface) line.fail("the eye lies on the surface");
-  if (!plot.is_ordinary()) line.fail("there are no heights over a grid of 2x2 points or more");
+  if (!plot.ok()) line.fail("there are no heights over a grid of 2x2 points or more");
   if (s.pictures > 0) {
     write_animation(line, s, plot.value);
   } else if (!s.out.empty() && irg::image_format_of_name(s.out) == irg::image_format::svg) {

@@ -208,7 +208,7 @@ std::string numbers(const town& t, const std::vector<view>& views, const std::ve
   text += "\n";
   for (std::size_t i = 0; i < legs.size(); ++i) {
     text += "leg: " + std::to_string(i);
-    if (legs[i].parts.status != irg::visibility_status::done) {
+    if (legs[i].parts.status != irg::visibility_status::ok) {
       text += " crosses a wall\n";
       continue;
     }

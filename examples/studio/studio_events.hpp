@@ -274,7 +274,7 @@ constexpr studio_status put_camera(studio_camera<T>& place, const studio_camera<
   if (!(T(0) < away) || !is_finite(away)) return studio_status::eye_in_target;
   if (!(T(0) < p.width && T(0) < p.height && T(0) < p.distance && T(0) < p.near_distance) ||
       !is_finite(p.width, p.height, p.distance, p.far_distance) ||
-      !view_projection_checked(camera_of(c), p.width / p.height).is_ordinary())
+      !view_projection_checked(camera_of(c), p.width / p.height).ok())
     return studio_status::no_projection;
   place = c;
   return studio_status::done;

@@ -327,7 +327,7 @@ struct studio_drawing {
 
   constexpr void draw() {
     clear(picture, colours.background);
-    if (!projection.is_ordinary()) return;  // of a screen that is hardly a pixel wide, say
+    if (!projection.ok()) return;  // of a screen that is hardly a pixel wide, say
     clear(memory.depth, nearer_is_greater::farthest);
     prepare();
     opaque();

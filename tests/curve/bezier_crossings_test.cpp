@@ -15,9 +15,9 @@ namespace {
 
 using P = irg::point<double, 2>;
 using M = irg::curve_meeting<double>;
-using enum irg::meetings_found;
+using enum irg::bezier_intersection_status;
 
-using meetings_result = irg::checked<std::size_t, irg::meetings_found>;
+using meetings_result = irg::checked<std::size_t, irg::bezier_intersection_status>;
 
 constexpr std::array<P, 3> arch{P{0, 0}, P{1, 2}, P{2, 0}}, bowl{P{0, 1}, P{1, -1}, P{2, 1}};
 
@@ -88,7 +88,7 @@ TEST_CASE("bezier_intersections: apart, touching, coincident, points, huge, not 
     std::array<irg::curve_meeting<double>, 2> found{};
     return irg::bezier_intersections(endless, line, {0, 50}, found, scratch).status;
   };
-  CHECK_BOTH(of_infinity() != irg::meetings_found::within_tolerance);
+  CHECK_BOTH(of_infinity() != irg::bezier_intersection_status::ok);
   std::vector<M> little(1);
   CHECK(meetings({arch.begin(), arch.end()}, {bowl.begin(), bowl.end()}, {1e-6}, little) ==
         meetings_result{1, too_many});

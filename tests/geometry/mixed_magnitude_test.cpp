@@ -460,15 +460,15 @@ TEST_CASE_TEMPLATE("mixed magnitudes: planes", T, double, float) {
         const auto e = rationals(c);
         const auto want = through({e[0], e[1], e[2], e[3]}, {e[4], e[5], e[6], e[7]}, {e[8], e[9], e[10], e[11]});
         const auto inverted = plane_by_inversion(p, q, s, c[12]);
-        using irg::inversion_outcome;
+        using irg::inversion_status;
         const bool collinear = want[0].sign() == 0 && want[1].sign() == 0 && want[2].sign() == 0;
-        const auto outcome = c[12] == 0            ? inversion_outcome::invalid
-                             : want[3].sign() != 0 ? inversion_outcome::plane
-                             : collinear           ? inversion_outcome::collinear
-                                                   : inversion_outcome::through_origin;
+        const auto outcome = c[12] == 0            ? inversion_status::invalid
+                             : want[3].sign() != 0 ? inversion_status::ok
+                             : collinear           ? inversion_status::collinear
+                                                   : inversion_status::through_origin;
         if (inverted.status != outcome) return wrong;
         double worst = off(plane_through(p, q, s), want);
-        if (outcome != inversion_outcome::plane) return worst;
+        if (outcome != inversion_status::ok) return worst;
         const T got[3] = {inverted.value.a, inverted.value.b, inverted.value.c};
         for (std::size_t k = 0; k < 3; ++k) worst = std::fmax(worst, quotient_error(got[k], want[k] * e[12], want[3]));
         return inverted.value.d == c[12] ? worst : wrong;

@@ -10,7 +10,7 @@
 #include <irg/math/mat.hpp>
 
 using irg::hpoint;
-using irg::inversion_outcome;
+using irg::inversion_status;
 using irg::plane;
 using irg::plane_by_inversion;
 using test::rational;
@@ -23,7 +23,7 @@ using Q = hpoint<rational, 3>;
 template <class P, class T>
 constexpr bool gives(const P& p, const P& q, const P& r, const T& d, const plane<T>& want) {
   const auto got = plane_by_inversion(p, q, r, d);
-  return got.status == inversion_outcome::plane && got.value == want;
+  return got.status == inversion_status::ok && got.value == want;
 }
 
 }  // namespace
@@ -39,15 +39,15 @@ TEST_CASE("plane_by_inversion: the course's values") {
 
 TEST_CASE("plane_by_inversion: where there is none") {
   CHECK_BOTH(plane_by_inversion(H{1, 0, 1, 1}, H{0, 1, 1, 1}, H{1, 1, 2, 1}).status ==
-             inversion_outcome::through_origin);
-  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{2, 0, 0, 1}, H{3, 0, 0, 1}).status == inversion_outcome::collinear);
-  CHECK_BOTH(plane_by_inversion(H{1, 2, 3, 1}, H{2, 4, 6, 2}, H{0, 0, 1, 1}).status == inversion_outcome::collinear);
-  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, 0).status == inversion_outcome::invalid);
+             inversion_status::through_origin);
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{2, 0, 0, 1}, H{3, 0, 0, 1}).status == inversion_status::collinear);
+  CHECK_BOTH(plane_by_inversion(H{1, 2, 3, 1}, H{2, 4, 6, 2}, H{0, 0, 1, 1}).status == inversion_status::collinear);
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, 0).status == inversion_status::invalid);
   constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
   CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, not_a_number, 1}).status ==
-             inversion_outcome::invalid);
+             inversion_status::invalid);
   CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, not_a_number).status ==
-             inversion_outcome::invalid);
+             inversion_status::invalid);
 }
 
 TEST_CASE("plane_by_inversion: a subnormal last coefficient") {
@@ -67,8 +67,8 @@ TEST_CASE("plane_by_inversion: the equations hold in rationals") {
     irg::mat<rational, 4, 4> m;
     for (int row = 0; row < 4; ++row)
       for (int k = 0; k < 4; ++k) m(row, k) = row < 3 ? p[row][k] : rational(k == 3);
-    wrong += (got.status == inversion_outcome::plane) != !(determinant(m) == rational(0));
-    if (got.status != inversion_outcome::plane) continue;
+    wrong += (got.status == inversion_status::ok) != !(determinant(m) == rational(0));
+    if (got.status != inversion_status::ok) continue;
     ++planes;
     for (const Q& q : p) wrong += !(plane_value(got.value, q) == rational(0));
   }

@@ -7,7 +7,7 @@
 
 void use(irg::mesh<double>& m, const irg::image<irg::rgba8>& picture) {
 #if CASE == 0
-  if (irg::fit_mesh(m) != irg::fit_status::fitted) return;
+  if (irg::fit_mesh(m) != irg::fit_status::ok) return;
   if (!irg::save_image("picture.png", picture)) return;
   static_cast<void>(irg::length(irg::vec<double, 3>{1, 2, 3}));
 #elif CASE == 1  // a status

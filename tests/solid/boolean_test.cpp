@@ -53,7 +53,7 @@ body tetrahedron(place a, place b, place c, const place& d) {
 
 constexpr double volume(const body& a, const body& b, boolean_operation operation) {
   const auto r = solid_boolean(a, b, operation);
-  return r.status == solid_boolean_status::done ? irg::solid_volume(r.value) : -1;
+  return r.status == solid_boolean_status::ok ? irg::solid_volume(r.value) : -1;
 }
 // Of what the four operations make.
 std::vector<double> volumes(const body& a, const body& b) {
@@ -68,7 +68,7 @@ int check_identities(const body& a, const body& b) {
   irg::solid_boolean_result<double> made[4];
   for (int i = 0; i < 4; ++i) {
     made[i] = solid_boolean(a, b, all_operations[i]);
-    REQUIRE(made[i].status == solid_boolean_status::done);
+    REQUIRE(made[i].status == solid_boolean_status::ok);
     REQUIRE(test::is_balanced(made[i].value));
     REQUIRE(made[i].faces.size() == made[i].value.face_count());
     REQUIRE(made[i].corners.size() == made[i].value.positions.size());
@@ -242,7 +242,7 @@ TEST_CASE("solid_boolean: heaps of lattice boxes, one step after another, agains
       const auto which = static_cast<std::size_t>(step == 0 ? 0 : r.integer(0, 3));
       const auto operation = all_operations[which];
       auto next = solid_boolean(heap, box(low, high), operation);
-      REQUIRE(next.status == solid_boolean_status::done);
+      REQUIRE(next.status == solid_boolean_status::ok);
       REQUIRE(test::is_balanced(next.value));
       heap = std::move(next.value);
       double count = 0;
@@ -309,7 +309,7 @@ TEST_CASE("solid_boolean: spheres, tori, float and double") {
   for (place& p : c.positions) p = {p.y + 1, p.z, p.x};
   check_identities(c, irg::shape_torus<double>());  // two links of a chain
   const auto r = solid_boolean(irg::shape_sphere<float>(), irg::shape_torus<float>(), boolean_operation::difference);
-  CHECK(r.status == solid_boolean_status::done);
+  CHECK(r.status == solid_boolean_status::ok);
   CHECK(test::is_balanced(r.value));
 }
 
@@ -363,7 +363,7 @@ TEST_CASE("solid_boolean: what is no body is refused with the reason") {
   body fin = cube(0, 0, 0);
   fin.positions.push_back({2, 2, 2});
   irg::add_face(fin, std::initializer_list<int>{0, 1, 8});
-  CHECK(status(fin) != solid_boolean_status::done);
+  CHECK(status(fin) != solid_boolean_status::ok);
   body infinite = cube(0, 0, 0);
   infinite.positions[3].x = std::numeric_limits<double>::infinity();
   CHECK(status(infinite) == solid_boolean_status::not_finite);
@@ -445,7 +445,7 @@ TEST_CASE("solid_boolean: a body that cuts itself is named where it shows") {
   flat.positions.push_back({0.5, 0, 0});
   irg::add_face(flat, std::vector<std::uint32_t>{0, 1, mid});
   const auto r = solid_boolean(cube(0.25, -0.5, -0.5), flat, boolean_operation::union_);
-  CHECK(r.status != solid_boolean_status::done);
+  CHECK(r.status != solid_boolean_status::ok);
   CHECK(r.body == 1);
 }
 
@@ -458,7 +458,7 @@ TEST_CASE("solid_boolean: a chain of a thousand steps stays a body") {
                  z = static_cast<double>(r.integer(-64, 512)) / 64;
     auto next =
         solid_boolean(all, cube(x, y, z, 0.75), step % 2 ? boolean_operation::difference : boolean_operation::union_);
-    REQUIRE(next.status == solid_boolean_status::done);
+    REQUIRE(next.status == solid_boolean_status::ok);
     REQUIRE(test::is_balanced(next.value));
     all = std::move(next.value);
     ++done;

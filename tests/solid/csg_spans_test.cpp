@@ -171,7 +171,7 @@ TEST_CASE("csg_spans: trees of lattice boxes at random: mesh and spans say the s
     }
     const tree t = test::combine_at_random(std::move(parts), r);
     const auto made = irg::to_mesh(t);
-    REQUIRE(made.status == irg::solid_boolean_status::done);
+    REQUIRE(made.status == irg::solid_boolean_status::ok);
     CHECK(test::is_balanced(made.value));
     const irg::csg_spans<double> through(t), through_mesh{tree(made.value)};
     double volume = 0;

@@ -99,7 +99,7 @@ big_rational six_volumes_by_sets(const tree& t) {
 // Six times the volume of what mesh_of makes, which is closed and says where it comes from.
 big_rational six_volumes_made(const tree& t) {
   const auto made = irg::to_mesh(t);
-  REQUIRE(made.status == irg::solid_boolean_status::done);
+  REQUIRE(made.status == irg::solid_boolean_status::ok);
   REQUIRE(test::is_balanced(made.value));
   REQUIRE(made.faces.size() == made.value.face_count());
   return test::six_volumes(made, t.bodies);
@@ -111,7 +111,7 @@ big_rational six_volumes_made(const tree& t) {
 TEST_CASE("csg_tree: nothing, bodies by themselves, the same body twice, steps that are not used") {
   const auto faces = [](const tree& t) {
     const auto made = irg::to_mesh(t);
-    CHECK(made.status == irg::solid_boolean_status::done);
+    CHECK(made.status == irg::solid_boolean_status::ok);
     return made.value.face_count();
   };
   CHECK(faces(tree()) == 0);
@@ -184,7 +184,7 @@ TEST_CASE("csg_tree: a chain of steps as one tree, and step after step: the same
     all = irg::csg_boolean(std::move(all), next, operation);
   }
   const auto made = irg::to_mesh(all);
-  REQUIRE(made.status == irg::solid_boolean_status::done);
+  REQUIRE(made.status == irg::solid_boolean_status::ok);
   CHECK(test::is_balanced(made.value));
   CHECK(irg::solid_volume(made.value) == irg::solid_volume(by_steps));
 }
@@ -200,7 +200,7 @@ TEST_CASE("csg_tree: six balls, whose steps would cut themselves where they are 
                            i % 2 ? boolean_operation::difference : boolean_operation::symmetric_difference);
   }
   const auto made = irg::to_mesh(all);
-  REQUIRE(made.status == irg::solid_boolean_status::done);
+  REQUIRE(made.status == irg::solid_boolean_status::ok);
   CHECK(test::is_balanced(made.value));
   for (const auto& face : made.faces) CHECK(face.body < 6);
 }

@@ -88,7 +88,7 @@ TEST_CASE(
         CHECK(m.status == window_status::bad_window);
         continue;
       }
-      REQUIRE(m.status == window_status::ordinary);
+      REQUIRE(m.status == window_status::ok);
       const P p{n(), n()};
       CHECK(from_pixels(m.value, to_pixels(m.value, p)) == p);
       const P first = to_pixels(m.value, P{w.left, w.top}), last = to_pixels(m.value, P{w.right, w.bottom});

@@ -90,7 +90,7 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
   using T = scalar_of<P>;
   using corner = surface_corner<P>;
   const triangulation parts = triangulate_monotone(polygon);
-  if (parts.state != triangulation_state::complete) return std::nullopt;
+  if (parts.status != triangulation_status::ok) return std::nullopt;
   surface_tessellation done;
   if (!detail::has_finite_bends(net)) return surface_tessellation{0, 0, false};
   if (net.rows() < 2 || net.columns < 2) return done;

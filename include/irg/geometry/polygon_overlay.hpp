@@ -27,7 +27,12 @@ namespace irg {
 
 /// How polygon_boolean ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
 /// made new crossings again and again (never seen).
-enum class [[nodiscard]] polygon_clip_status { done, not_finite, unresolved };
+enum class [[nodiscard]] polygon_clip_status {
+  ok,
+  not_finite,
+  unresolved,
+  done [[deprecated("irg: done is now ok")]] = ok
+};
 
 /// What polygon_boolean did: of `pairs`, those beyond `compared` were skipped.
 /// shape   pieces are the edges at first, then what they are cut into; edges that run along each other from end to end
@@ -43,7 +48,7 @@ struct polygon_overlay_counts {
 /// The rings of a polygon: outer ones counter-clockwise, holes clockwise (y up).
 template <Floating T>
 struct clipped_rings {
-  polygon_clip_status status = polygon_clip_status::done;
+  polygon_clip_status status = polygon_clip_status::ok;
   std::vector<std::vector<point<T, 2>>> rings{};
   polygon_overlay_counts counts{};
 };
@@ -319,7 +324,7 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
     if (on_left && !on_right) ways.push_back({pieces[k].p, pieces[k].q});
     if (on_right && !on_left) ways.push_back({pieces[k].q, pieces[k].p});
   }
-  return {polygon_clip_status::done, rings_of(ways), counts};
+  return {polygon_clip_status::ok, rings_of(ways), counts};
 }
 
 }  // namespace IRG_ABI

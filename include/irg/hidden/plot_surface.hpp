@@ -89,7 +89,7 @@ public:
     const grid_surface_status status = out_.method == surface_method::facets_far_to_near ? draw_facets()
                                        : out_.method == surface_method::perimeter        ? draw_perimeter()
                                                                                          : draw_horizon();
-    if (status != grid_surface_status::drawn) return status;
+    if (status != grid_surface_status::ok) return status;
     draw_axes();
     plot = static_cast<Plot&&>(out_);
     return status;
@@ -205,7 +205,7 @@ private:
       };
       add_part({e.i, e.j, e.i + (e.along_z ? 0 : 1), e.j + (e.along_z ? 1 : 0), in_space(p.from), in_space(p.to)});
     });
-    return grid_surface_status::drawn;
+    return grid_surface_status::ok;
   }
 
   // Every edge once, near ones first: the border that turns to the eye, then those that facets add.
@@ -247,7 +247,7 @@ private:
       out_.facets.push_back(out);
     });
     for (std::size_t a = 0, b = out_.facets.size(); a + 1 < b; ++a) std::swap(out_.facets[a], out_.facets[--b]);
-    return grid_surface_status::drawn;
+    return grid_surface_status::ok;
   }
 
   // Along the box's edges nearest to the eye, which nothing covers: x and z at the bottom (seen from below: at the

@@ -22,11 +22,12 @@ namespace irg {
 
 /// How a combination of two bodies ended.
 enum class [[nodiscard]] solid_boolean_status {
-  done,
+  ok,
   not_finite,  ///< a position is NaN or infinite
   open_edge,  ///< an edge has one face
   edge_of_many_faces,  ///< faces do not run along an edge as often one way as the other
   not_a_body,  ///< a body cuts itself, has faces without area where it meets another, or a shell turned inside out
+  done [[deprecated("irg: done is now ok")]] = ok
 };
 
 /// Where a face of the result comes from.
@@ -59,7 +60,7 @@ struct solid_boolean_counts {
 template <Floating T>
 struct solid_boolean_result {
   static constexpr std::uint32_t none = no_index;
-  solid_boolean_status status = solid_boolean_status::done;
+  solid_boolean_status status = solid_boolean_status::ok;
   std::uint32_t body =
       none;  // where status is not done, the first of them that is to blame, or none if it is not known
   mesh<T> value{};  // of triangles

@@ -25,9 +25,10 @@ namespace irg {
 
 /// What orient_outward made of a mesh.
 enum class [[nodiscard]] outward_status {
-  done,
+  ok,
   no_surface,  ///< faces cannot be made to run alike, or do not make a surface: to_half_edges() tells why
   open,  ///< an edge has one face: there is no inside. Faces run alike
+  done [[deprecated("irg: done is now ok")]] = ok
 };
 
 inline namespace IRG_ABI {
@@ -168,9 +169,9 @@ namespace irg::inline IRG_ABI {
 template <Floating T>
 constexpr outward_status orient_outward(mesh<T>& m) {
   mesh<T> turned = m;
-  if (orient_faces(turned) != orient_status::done) return outward_status::no_surface;
+  if (orient_faces(turned) != orient_status::ok) return outward_status::no_surface;
   const auto half_edges = to_half_edges(turned);
-  if (half_edges.status != half_edge_status::done) return outward_status::no_surface;
+  if (half_edges.status != half_edge_status::ok) return outward_status::no_surface;
   if (counts_of(half_edges.value).borders > 0) {
     m = std::move(turned);
     return outward_status::open;
@@ -191,7 +192,7 @@ constexpr outward_status orient_outward(mesh<T>& m) {
   for (std::size_t f = 0; f < turned.face_count(); ++f)
     if (turn[shells.of_face[f]] != 0) turn_face(turned, f);
   m = std::move(turned);
-  return outward_status::done;
+  return outward_status::ok;
 }
 
 }  // namespace irg::inline IRG_ABI

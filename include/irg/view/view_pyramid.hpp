@@ -38,7 +38,7 @@ template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> perspective(const view_pyramid<T>& p,
                                                  depth_range depth = depth_range::reversed) noexcept {
   const auto result = perspective_checked(p, depth);
-  IRG_EXPECTS(result.status == projection_status::ordinary);
+  IRG_EXPECTS(result.status == projection_status::ok);
   return result.value;
 }
 

@@ -123,7 +123,7 @@ public:
     walk();
     out_.status = is_on_boundary ? visibility_status::source_on_boundary
                   : on_obstacle_ ? visibility_status::source_on_obstacle
-                                 : visibility_status::done;
+                                 : visibility_status::ok;
     return std::move(out_);
   }
 

@@ -205,7 +205,7 @@ public:
                                   line_choice choice) {
     source_regions<T> out;
     out.status = read(source, obstacles);
-    if (out.status != visibility_status::done || is_flat_) return out;
+    if (out.status != visibility_status::ok || is_flat_) return out;
     const std::vector<int> label = cut(choice, out);
     out.all = rings_around(parts_, label, static_cast<int>(seen_share::all));
     out.some = rings_around(parts_, label, static_cast<int>(seen_share::some));
@@ -217,7 +217,7 @@ public:
   constexpr checked<seen_share, visibility_status> run_whole(std::span<const point<T, 2>> source,
                                                              std::span<const segment<T, 2>> obstacles) {
     const auto status = read(source, obstacles);
-    if (status != visibility_status::done) return {seen_share::none, status};
+    if (status != visibility_status::ok) return {seen_share::none, status};
     source_regions<T> counts;
     bool all = true, none = true;
     for (const int share : cut(line_choice::needed, counts)) {
@@ -242,7 +242,7 @@ private:
 
   constexpr visibility_status read(std::span<const point<T, 2>> source, std::span<const segment<T, 2>> obstacles) {
     for (const auto& p : source) is_finite_ = is_finite_ && is_finite_sight_point(p);
-    if (const auto status = take(obstacles); status != visibility_status::done) return status;
+    if (const auto status = take(obstacles); status != visibility_status::ok) return status;
     if (source.size() == 0) return visibility_status::source_not_simple;
     if (!is_convex(source)) {
       std::vector<plane_ring<T>> ring(1, without_repeats<T>(source));
@@ -261,7 +261,7 @@ private:
       rings.push_back(without_repeats<T>(ring));
     }
     const auto status = take(obstacles);
-    return status != visibility_status::done ? status : take_rings(std::move(rings));
+    return status != visibility_status::ok ? status : take_rings(std::move(rings));
   }
 
   constexpr visibility_status take(std::span<const segment<T, 2>> obstacles) {
@@ -269,7 +269,7 @@ private:
     if (!is_finite_) return visibility_status::not_finite;
     if (!is_simple_) return visibility_status::window_not_simple;
     view_.obstacles.assign(obstacles.begin(), obstacles.end());
-    return visibility_status::done;
+    return visibility_status::ok;
   }
 
   constexpr visibility_status take_rings(std::vector<plane_ring<T>> rings) {
@@ -283,7 +283,7 @@ private:
   }
 
   constexpr visibility_status crossing_status() const noexcept {
-    return view_.crosses_obstacle() ? visibility_status::source_crosses_obstacle : visibility_status::done;
+    return view_.crosses_obstacle() ? visibility_status::source_crosses_obstacle : visibility_status::ok;
   }
 
   constexpr void add_cuts(line_choice choice, source_regions<T>& out) {

@@ -19,13 +19,18 @@ namespace irg::textbook {
 /// How Weiler and Atherton's clipping ended. `touching`: a vertex lies on the other polygon's boundary, or
 /// entering and leaving points do not take turns: two crossings are too near to each other to be told apart, or rings
 /// are not as they should be.
-enum class [[nodiscard]] weiler_atherton_status { done, touching, not_finite };
+enum class [[nodiscard]] weiler_atherton_status {
+  ok,
+  touching,
+  not_finite,
+  done [[deprecated("irg: done is now ok")]] = ok
+};
 
 /// The common part of two polygons, and the two lists of the method.
-/// shape   rings directed as the polygons'; entering and leaving have a meaning where the status is `done`
+/// shape   rings directed as the polygons'; entering and leaving have a meaning where the status is `ok`
 template <Floating T>
 struct weiler_atherton_clip {
-  weiler_atherton_status status = weiler_atherton_status::done;
+  weiler_atherton_status status = weiler_atherton_status::ok;
   std::vector<std::vector<point<T, 2>>> rings{};
   std::vector<point<T, 2>> entering{}, leaving{};
 };
@@ -203,7 +208,7 @@ template <PlanePolygon A, PlanePolygon B>
         result.rings.push_back(ring);
   };
   keep_uncrossed(0, clip), keep_uncrossed(1, subject);
-  return ended(weiler_atherton_status::done);
+  return ended(weiler_atherton_status::ok);
 }
 
 }  // namespace irg::textbook::inline IRG_ABI
