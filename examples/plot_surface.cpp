@@ -79,9 +79,9 @@ settings read_settings(program::command_line& line) {
       s.plot.style =
           line.choice(word, {"lines", "facets"}) == 1 ? irg::surface_style::facets : irg::surface_style::lines;
     else if (word == "--azimuth")
-      s.plot.azimuth = degrees(word, 360);
+      s.plot.azimuth_degrees = degrees(word, 360);
     else if (word == "--elevation")
-      s.plot.elevation = degrees(word, 90);
+      s.plot.elevation_degrees = degrees(word, 90);
     else if (word == "--labels")
       read_labels(line, s.plot);
     else if (word == "--animate")

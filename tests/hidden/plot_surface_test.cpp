@@ -62,11 +62,11 @@ TEST_CASE("plot_surface: which method, and why") {
     return p.value.method;
   };
   CHECK(method({}) == surface_method::perimeter);
-  CHECK(method({.elevation = 85}) == surface_method::perimeter);
+  CHECK(method({.elevation_degrees = 85}) == surface_method::perimeter);
   CHECK(method({.style = surface_style::facets}) == surface_method::facets_far_to_near);
   g.heights[100] = gap;
   CHECK(method({}) == surface_method::floating_horizon);
-  CHECK(method({.elevation = 89}) == surface_method::facets_far_to_near);
+  CHECK(method({.elevation_degrees = 89}) == surface_method::facets_far_to_near);
 }
 
 TEST_CASE("plot_surface: labels in the picture, none on another, from everywhere, in small pictures too") {
@@ -75,7 +75,7 @@ TEST_CASE("plot_surface: labels in the picture, none on another, from everywhere
     for (const int elevation : {-70, -25, 0, 10, 30, 60, 88}) {
       const auto p = plot_surface(
           g.surface(),
-          {.azimuth = azimuth + 0.0, .elevation = elevation + 0.0, .x = "length of it", .y = "height", .z = "width"});
+          {.azimuth_degrees = azimuth + 0.0, .elevation_degrees = elevation + 0.0, .x = "length of it", .y = "height", .z = "width"});
       REQUIRE(p.ok());
       CHECK(unreadable(p.value) == 0);
       CHECK(p.value.labels.size() >= 9);
@@ -100,7 +100,7 @@ TEST_CASE("plot_surface: what is no surface, options out of range") {
   irg::height_grid g = ripples(3);
   const auto refused = [&](const surface_plot_options& o) { return plot_surface(g.surface(), o).status; };
   CHECK(refused({.width = 0}) == grid_surface_status::not_a_grid);
-  CHECK(refused({.azimuth = gap}) == grid_surface_status::not_a_grid);
+  CHECK(refused({.azimuth_degrees = gap}) == grid_surface_status::not_a_grid);
   CHECK(refused({.distance = 0}) == grid_surface_status::not_a_grid);
   CHECK(refused({.tallness = -1}) == grid_surface_status::not_a_grid);
   CHECK(plot_surface(irg::grid_surface{}).status == grid_surface_status::not_a_grid);
@@ -119,7 +119,7 @@ TEST_CASE("plot_surface: a level surface from straight above and below") {
     for (const double elevation : {90.0, -90.0, 60.0}) {
       const irg::height_grid level =
           irg::sample_heights([&](double, double) { return height; }, sample_range{0, 2, 3}, sample_range{0, 2, 3});
-      const auto p = plot_surface(level.surface(), {.elevation = elevation, .distance = 0.9});
+      const auto p = plot_surface(level.surface(), {.elevation_degrees = elevation, .distance = 0.9});
       CHECK(p.ok());
       CHECK(p.value.lines.size() == 12);
     }

@@ -73,7 +73,7 @@ public:
   constexpr plot_maker(const grid_surface& surface, const Options& options)
       : surface_(surface), options_(options), scale_{box_of_surface(surface), options.tallness} {
     out_.width = options.width, out_.height = options.height;
-    const auto turn = sin_cos_degrees(options.azimuth), lift = sin_cos_degrees(options.elevation);
+    const auto turn = sin_cos_degrees(options.azimuth_degrees), lift = sin_cos_degrees(options.elevation_degrees);
     const double diagonal = sqrt(2 + product(options.tallness, options.tallness));
     const double away = product(options.distance, diagonal), level = product(away, lift.cosine);
     const point<double, 3> eye{0.5 - product(level, turn.sine), options.tallness / 2 + product(away, lift.sine),
@@ -370,7 +370,7 @@ template <class Options, class Plot>
   const auto is_positive = [](double v) { return v > 0x1p-20 && v < 0x1p20; };
   const bool usable = options.width > 0 && options.height > 0 && is_positive(options.distance) &&
                       is_positive(options.tallness) && is_positive(options.text_size) &&
-                      magnitude(options.azimuth) < 0x1p20 && magnitude(options.elevation) < 0x1p20;
+                      magnitude(options.azimuth_degrees) < 0x1p20 && magnitude(options.elevation_degrees) < 0x1p20;
   if (!usable || !detail::is_grid_with_gaps(surface)) return plot;
   plot.status = detail::plot_maker<Plot, Options>(surface, options).make(plot.value);
   return plot;
