@@ -139,7 +139,7 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
     auto part = irg::within(picture, irg::cell_window{4, 4, 12, 12});
     irg::fill_circle(part, {9, 8}, 6, grey{200});
   });
-  call("convert_pixels", [&] { irg::convert_pixels(irg::image<grey>(width, height, grey{7}), picture); });
+  call("convert_into", [&] { irg::convert_into(picture, irg::image<grey>(width, height, grey{7})); });
 
   irg::clear(picture, grey{10});
   irg::fill_circle(picture, {9, 8}, 6, grey{200});

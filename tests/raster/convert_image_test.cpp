@@ -46,7 +46,7 @@ TEST_CASE("convert_image: there and back, and into views of any stride") {
   std::vector<irg::bgr8> memory(70 * 40 + 3, irg::bgr8{});
   // upside down: the first row is the last in memory
   const irg::image_view<irg::bgr8> view(memory.data() + 70 * 39, 70, 40, -70 * 3);
-  irg::convert_pixels(picture, view);
+  irg::convert_into(view, picture);
   CHECK(memory[0] == irg::convert_pixel<irg::bgr8>(picture(0, 39)));
   CHECK(memory[70 * 39 + 9] == irg::convert_pixel<irg::bgr8>(picture(9, 0)));
   CHECK(memory[70 * 40] == irg::bgr8{});
