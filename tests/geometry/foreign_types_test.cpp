@@ -274,6 +274,7 @@ std::map<std::string, bool> calls(const V& values) {
                                     irg::draw_line_wu(v.picture, v.a, v.c, v.colour)));
   call("flood_fill", FOREIGN_CALL(irg::flood_fill(v.picture, v.from, v.colour)));
   call("boundary_fill", FOREIGN_CALL(irg::boundary_fill(v.picture, v.from, v.colour, v.colour)));
+  call("draw_polygon", FOREIGN_CALL(irg::draw_polygon(v.picture, v.path, irg::rgba8{1, 2, 3, 255})));
   call("draw_polyline", FOREIGN_CALL(irg::draw_polyline(v.picture, v.path, irg::rgba8{1, 2, 3, 255})));
   // planes and homogeneous points
   call("normal_of", FOREIGN_CALL(irg::normal_of(v.plane)));

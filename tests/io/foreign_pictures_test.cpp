@@ -114,6 +114,7 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
     static_cast<void>(
         irg::fill_polygons(picture, std::vector<std::vector<P>>{ring}, irg::fill_rule::non_zero, grey{200}));
   });
+  call("draw_polygon", [&] { irg::draw_polygon(picture, cells{{1, 1}, {20, 3}, {7, 12}}, grey{200}); });
   call("draw_polyline", [&] { irg::draw_polyline(picture, cells{{1, 1}, {20, 3}, {7, 12}}, grey{200}); });
   call("draw_line_aa", [&] { irg::draw_line_aa(picture, a, b, grey{200}); });
   call("draw_line_wu", [&] { irg::draw_line_wu(picture, a, c, grey{200}); });
