@@ -23,8 +23,8 @@ int main(int argc, char** argv) {
 
   const auto draw = [&](float left, float right, char value) {
     const float middle = (left + right) / 2;
-    return irg::draw_triangle(picture, depth, {{{0, 0}, left}, {{10 * 256, 0}, right}, {{5 * 256, 5 * 256}, middle}},
-                              irg::solid_shader<char>{value});
+    return irg::shade_triangle(picture, depth, {{{0, 0}, left}, {{10 * 256, 0}, right}, {{5 * 256, 5 * 256}, middle}},
+                               irg::solid_shader<char>{value});
   };
   const irg::draw_counts a = draw(0.9f, 0.1f, 'a');
   const irg::draw_counts b = draw(0.1f, 0.9f, 'b');

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     if (irg::orientation_of(v[0].position, v[1].position, v[2].position) != irg::orientation::counter_clockwise)
       continue;
     ++front_faces;
-    irg::draw_triangle(picture, depth, {v[0], v[1], v[2]}, irg::solid_shader<char>{static_cast<char>('a' + f)});
+    irg::shade_triangle(picture, depth, {v[0], v[1], v[2]}, irg::solid_shader<char>{static_cast<char>('a' + f)});
   }
 
   for (int y = 0; y < height; ++y) std::printf("%.*s\n", width, picture.row(y));

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
                   {{4.0, 1.0, 1.0, 1.0}, {0.3, 0.2, 0.1}}};
   scene.ambient = {0.3, 0.3, 0.3};
 
-  const auto ball = irg::sphere_around(scene.objects[0].shape);
+  const auto ball = irg::bounding_sphere_of(scene.objects[0].shape);
   scene.view =
       irg::camera_around(ball.centre, ball.radius, irg::vec<double, 3>{0.6, 0.6, 1.6}, irg::radians(40.0), 4.0 / 3.0);
 
@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
   irg::image<float> depth(640, 480);
   const irg::render_stats stats = irg::render(scene, {picture, depth}, {.style = irg::picture_style::phong});
 
-  if (const auto error = irg::write_image(file, picture)) program::fail("08_teapot", error->message + (": " + file));
+  if (const auto saved = irg::save_image(file, picture); !saved)
+    program::fail("08_teapot", saved.error().message + (": " + file));
   std::printf("%lld triangles, %lld of them facing away; %lld pixels drawn; %s\n",
               static_cast<long long>(stats.triangles), static_cast<long long>(stats.skipped.backface),
               static_cast<long long>(stats.drawn), file.c_str());

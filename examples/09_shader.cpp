@@ -61,9 +61,10 @@ int main(int argc, char** argv) {
   irg::image<irg::rgba8> picture(480, 360, {250, 249, 246, 255});
   irg::image<float> depth(480, 360, irg::nearer_is_greater::farthest);
   const batch torus[1] = {{&projected, triangles}};
-  const auto stats = irg::draw_batches({picture, depth}, {torus, mapping}, chequers{vertices});
+  const auto stats = irg::shade_batches({picture, depth}, {torus, mapping}, chequers{vertices});
 
-  if (const auto error = irg::write_image(file, picture)) program::fail("09_shader", error->message + (": " + file));
+  if (const auto saved = irg::save_image(file, picture); !saved)
+    program::fail("09_shader", saved.error().message + (": " + file));
   int dark = 0;
   for (int y = 0; y < 360; ++y)
     for (int x = 0; x < 480; ++x) dark += picture(x, y).b > picture(x, y).r ? 1 : 0;

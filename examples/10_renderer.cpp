@@ -53,8 +53,9 @@ int main(int argc, char** argv) {
     return [=, &light](const auto& w) { return tone(w.interpolate(light(a), light(b), light(c))); };
   };
   const auto stats =
-      irg::draw_triangles({other, other_depth}, irg::projected_triangles{projected, torus.triangles, mapping}, shader);
-  if (const auto error = irg::write_image(file, picture)) program::fail("10_renderer", error->message + (": " + file));
-  std::printf("draw_triangles gives %s; %s\n", picture == other ? "the same" : "another picture", file.c_str());
+      irg::shade_triangles({other, other_depth}, irg::projected_triangles{projected, torus.triangles, mapping}, shader);
+  if (const auto saved = irg::save_image(file, picture); !saved)
+    program::fail("10_renderer", saved.error().message + (": " + file));
+  std::printf("shade_triangles gives %s; %s\n", picture == other ? "the same" : "another picture", file.c_str());
   return picture == other && depth == other_depth && stats.drawn > 30000 ? 0 : 1;
 }

@@ -34,7 +34,8 @@ int main(int argc, char** argv) {
   irg::image<float> depth(640, 480);
   irg::render(scene, {zbuffer, depth});
   const auto stats = irg::render(look_at_all{}, scene, {own, depth});
-  if (const auto error = irg::write_image(file, own)) program::fail("11_own_method", error->message + (": " + file));
+  if (const auto saved = irg::save_image(file, own); !saved)
+    program::fail("11_own_method", saved.error().message + (": " + file));
   std::printf("the z-buffer gives %s; %s\n", own == zbuffer ? "the same" : "another picture", file.c_str());
   return own == zbuffer && stats.drawn > 10000 ? 0 : 1;
 }

@@ -32,7 +32,7 @@ polygon beam(double turn) {
 int main(int argc, char** argv) {
   const auto file =
       program::step(argc, argv, "12_depth_sort", "three beams that lie on each other in turn", "depth_sort.svg");
-  if (irg::picture_format_of(file) != irg::picture_format::svg)
+  if (irg::image_format_of_name(file) != irg::image_format::svg)
     program::fail("12_depth_sort", "the drawing's name must end in .svg, not: " + file);
   constexpr double third = 2.0943951023931953;
   const std::vector<polygon> beams{beam(0), beam(third), beam(2 * third)};
@@ -48,8 +48,8 @@ int main(int argc, char** argv) {
     drawing.add_region(ring, colours[part.number]);
   }
   drawing.finish();
-  if (const auto error = irg::write_file_atomically(file, text))
-    program::fail("12_depth_sort", error->message + (": " + file));
+  if (const auto saved = irg::save_file(file, text); !saved)
+    program::fail("12_depth_sort", saved.error().message + (": " + file));
   for (const auto& part : parts) std::printf("beam %u, %zu corners\n", part.number, part.corners.size());
   // No order of the three whole beams is right: at least one is in two parts.
   return parts.size() > beams.size() ? 0 : 1;

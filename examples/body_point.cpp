@@ -142,7 +142,7 @@ void run(program::command_line& line) {
     report = planes_of(model);
   } else {
     for (const irg::location w : where) report += std::string("point: ") + name_of(w) + "\n";
-    const bool convex = irg::is_convex_body(model) || irg::is_convex_body(irg::triangulate(model));
+    const bool convex = irg::is_convex_body(model) || irg::is_convex_body(irg::triangulated(model));
     report += std::string("convex: ") + (convex ? "yes\n" : "no\n");
     report += std::string("closed: ") + (irg::is_closed(model) ? "yes\n" : "no\n");
   }

@@ -33,7 +33,7 @@ A body that is open, cuts itself or is not turned outward is refused; mend_body 
 
 const char* sentence_of(irg::solid_boolean_status s) {
   switch (s) {
-    case irg::solid_boolean_status::done: return "";
+    case irg::solid_boolean_status::ok: return "";
     case irg::solid_boolean_status::not_finite: return "body has a position that is not finite";
     case irg::solid_boolean_status::open_edge: return "body is not closed: an edge has one face";
     case irg::solid_boolean_status::edge_of_many_faces: return "faces of the body do not fit at an edge";
@@ -68,14 +68,15 @@ void run(program::command_line& line) {
   if (program::one_file(out, words[0]) || program::one_file(out, words[2])) line.fail("a body would be overwritten");
 
   const auto first = program::read_model(line, words[0]);
-  const auto second = irg::transform_mesh(program::read_model(line, words[2]), irg::translation(move));
+  const auto second = irg::transformed(program::read_model(line, words[2]), irg::translation(move));
   const auto made = irg::solid_boolean(first, second, static_cast<irg::boolean_operation>(which));
-  if (made.status != irg::solid_boolean_status::done)
+  if (made.status != irg::solid_boolean_status::ok)
     line.fail(sentence_of(made.status) + (made.body > 1 ? std::string() : ": " + words[made.body == 0 ? 0 : 2]));
   std::size_t from[2] = {0, 0};
   for (const irg::solid_face_origin& f : made.faces) ++from[f.body];
   if (!out.empty())
-    if (const auto error = irg::write_mesh(out, made.value)) line.fail(std::string(error->message) + ": " + out);
+    if (const auto saved = irg::save_mesh(out, made.value); !saved)
+      line.fail(std::string(saved.error().message) + ": " + out);
   std::printf("triangles: %zu\npositions: %zu\nvolume: %s\nvolumes: %s %s\nfrom: %zu %zu\n", made.value.face_count(),
               made.value.positions.size(), program::shortest(irg::solid_volume(made.value)).c_str(),
               program::shortest(irg::solid_volume(first)).c_str(), program::shortest(irg::solid_volume(second)).c_str(),

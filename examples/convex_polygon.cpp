@@ -130,7 +130,7 @@ std::vector<irg::subpixel> rounded_hull(const problem& in) {
   for (int side = 0; side < 2; ++side) {
     const std::size_t base = hull.size();
     for (const irg::subpixel p : points) {
-      while (hull.size() >= base + 2 && irg::signed_double_area(hull[hull.size() - 2], hull.back(), p) <= 0)
+      while (hull.size() >= base + 2 && irg::twice_signed_area(hull[hull.size() - 2], hull.back(), p) <= 0)
         hull.pop_back();
       hull.push_back(p);
     }

@@ -134,7 +134,7 @@ settings read_settings(program::command_line& line) {
 }
 
 height_table read_table(const program::command_line& line, const std::string& name) {
-  const auto text = irg::read_file(name);
+  const auto text = irg::load_file(name);
   if (!text) line.fail(std::string(text.error().message) + ": " + name);
   height_table t;
   int row = 1;

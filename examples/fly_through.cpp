@@ -115,7 +115,7 @@ settings read_settings(program::command_line& line) {
   for (s.pictures = s.step > 0 ? 0 : s.pictures; s.step > 0 && s.pictures * s.step <= 1;) ++s.pictures;
   if (s.model.empty()) line.fail("no model given; --help tells how");
   if (s.out.empty() && s.frames.empty() && !s.list) line.fail("nothing to write; -o or --frames names it");
-  if (!s.out.empty() && irg::picture_format_of(s.out) != irg::picture_format::png)
+  if (!s.out.empty() && irg::image_format_of_name(s.out) != irg::image_format::png)
     line.fail("the animation's name must end in .png, not: " + s.out);
   if (program::one_file(s.out, s.input)) line.fail("the input would be overwritten: " + s.input);
   for (int k = 1; !s.frames.empty() && k <= s.pictures; ++k) {
@@ -180,7 +180,7 @@ public:
     if (kind == path_kind::through) {
       const std::vector<point> given = points_;
       if (irg::bspline_interpolate(*knots, places, std::span<const point>(given), points_).status !=
-          irg::bspline_fit_status::done)
+          irg::bspline_fit_status::ok)
         line.fail("successive points of the path are one");
     }
     room_.resize(2 * order);
@@ -204,7 +204,7 @@ irg::camera<double> camera_at(const settings& s, irg::camera<double> view, const
   if (s.what == moved::eye) view.eye = place.point;
   if (s.what == moved::target) view.target = place.point;
   if (s.what == moved::eye && (s.ahead || view.target == view.eye))
-    if (const auto along = irg::try_normalize(place.derivative)) view.target = view.eye + *along;
+    if (const auto along = irg::try_normalized(place.derivative)) view.target = view.eye + *along;
   return view;
 }
 
@@ -217,7 +217,8 @@ public:
   ~numbered_files() { remove(); }
   void write(const program::command_line& line, const irg::image<irg::rgba8>& picture) {
     const std::string file = frame_name(settings_, names_.size() + 1);
-    if (const auto error = irg::write_image(file, picture)) fail(line, std::string(error->message) + ": " + file);
+    if (const auto saved = irg::save_image(file, picture); !saved)
+      fail(line, std::string(saved.error().message) + ": " + file);
     names_.push_back(file);
   }
   [[noreturn]] void fail(const program::command_line& line, const std::string& what) const {
@@ -237,7 +238,7 @@ private:
 void draw(const program::command_line& line, const settings& s, irg::scene<double>& world, const point& centre,
           const std::vector<irg::curve_sample<point>>& places, numbered_files& files) {
   const auto view = world.view;
-  const double radius = irg::sphere_around(world.objects[0].shape).radius;
+  const double radius = irg::bounding_sphere_of(world.objects[0].shape).radius;
   irg::image<irg::rgba8> picture(s.size.width, s.size.height);
   irg::image<float> depth(s.size.width, s.size.height);
   irg::png_animation<irg::image<irg::rgba8>> animation(s.pictures, {s.delay, 0});
@@ -260,8 +261,8 @@ void draw(const program::command_line& line, const settings& s, irg::scene<doubl
     std::fprintf(stderr, "picture %d of %d\n", static_cast<int>(k) + 1, s.pictures);
   }
   if (s.out.empty()) return;
-  if (const auto error = irg::write_file_atomically(s.out, std::span<const std::uint8_t>(file)))
-    files.fail(line, std::string(error->message) + ": " + s.out);
+  if (const auto saved = irg::save_file(s.out, std::span<const std::uint8_t>(file)); !saved)
+    files.fail(line, std::string(saved.error().message) + ": " + s.out);
 }
 
 void run(program::command_line& line) {
@@ -284,7 +285,7 @@ void run(program::command_line& line) {
     world.objects.push_back({load_model(line, s.model)});
     const auto& shape = world.objects[0].shape;  // an eye or a target that moves may pass the other
     world.view = s.what == moved::body ? program::camera_of(line, s, shape) : program::placed_camera(line, s, shape);
-    draw(line, s, world, irg::sphere_around(world.objects[0].shape).centre, places, files);
+    draw(line, s, world, irg::bounding_sphere_of(world.objects[0].shape).centre, places, files);
   }
   if (s.list) {
     for (std::size_t k = 0; k < places.size(); ++k)

@@ -75,7 +75,7 @@ void run(program::command_line& line) {
   std::vector<point> corners;
   for (const auto& ring : rings) corners.insert(corners.end(), ring.begin(), ring.end());
   const auto cover = irg::cover_by_guards(std::span<const std::vector<point>>(rings));
-  if (cover.status != irg::guard_status::done) line.fail("the rings cross, or run along each other");
+  if (cover.status != irg::guard_status::ok) line.fail("the rings cross, or run along each other");
   std::string text;
   if (s.list) {
     for (const auto& part : cover.parts) {

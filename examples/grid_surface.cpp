@@ -159,7 +159,7 @@ void draw(const program::command_line& line, const settings& s, const scene& of,
                                  s.size.height / 2.0 - (p.y - (low.y / 2 + high.y / 2)) / unit};
   };
   constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255};
-  if (irg::picture_format_of(s.out) == irg::picture_format::svg) {
+  if (irg::image_format_of_name(s.out) == irg::image_format::svg) {
     std::string text;
     auto sink = [&](std::string_view piece) { text += piece; };
     irg::svg_drawing drawing(sink, s.size.width, s.size.height, paper);
@@ -167,8 +167,8 @@ void draw(const program::command_line& line, const settings& s, const scene& of,
     for (const auto& l : lines) drawing.add_line(place(l[0]), place(l[1]));
     drawing.finish();
     const auto* const bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-    if (const auto error = irg::write_file_atomically(s.out, std::span<const std::uint8_t>(bytes, text.size())))
-      line.fail(std::string(error->message) + ": " + s.out);
+    if (const auto saved = irg::save_file(s.out, std::span<const std::uint8_t>(bytes, text.size())); !saved)
+      line.fail(std::string(saved.error().message) + ": " + s.out);
     return;
   }
   irg::image<irg::rgba8> picture(s.size.width, s.size.height, paper);

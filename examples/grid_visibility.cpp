@@ -93,7 +93,7 @@ irg::grid_text read_map(const program::command_line& line, const std::string& in
 irg::textbook::sight sight_of(const irg::walled_grid& g, const irg::cell3& a, const irg::cell3& b, const settings& s) {
   using irg::textbook::sight;
   using rule = irg::textbook::three_axis_rule;
-  if (!s.by_thesis()) return irg::see(g, a, b, s.rules) ? sight::full : sight::blocked;
+  if (!s.by_thesis()) return irg::has_line_of_sight(g, a, b, s.rules) ? sight::full : sight::blocked;
   return program::thesis_sight(g, a, b, s.how == method::thesis ? rule::thesis : rule::face_path);
 }
 

@@ -70,7 +70,7 @@ settings read_settings(program::command_line& line) {
     const std::string_view word = line.take();
     if (word == "-o") {
       s.out = line.value_of(word);
-      if (irg::picture_format_of(s.out) != irg::picture_format::png)
+      if (irg::image_format_of_name(s.out) != irg::image_format::png)
         line.fail("the animation's name must end in .png, not: " + s.out);
     } else if (word == "--centre") {
       s.re = coordinate(line);
@@ -119,8 +119,8 @@ void run(program::command_line& line) {
     file.insert(file.end(), bytes->begin(), bytes->end());
     std::fprintf(stderr, "picture %d of %d, width %.3g\n", i + 1, s.pictures, width);
   }
-  if (const auto error = irg::write_file_atomically(s.out, std::span<const std::uint8_t>(file)))
-    line.fail(std::string(error->message) + ": " + s.out);
+  if (const auto saved = irg::save_file(s.out, std::span<const std::uint8_t>(file)); !saved)
+    line.fail(std::string(saved.error().message) + ": " + s.out);
   std::printf("pictures: %d\nlongest orbit: %lld\nglitches cured: %lld\n", s.pictures, longest, glitches);
   program::finish_output(line, s.out);
 }

@@ -53,19 +53,20 @@ void run(program::command_line& line) {
 
   auto body = program::read_model(line, model);
   const std::size_t before = irg::list_faults(body).size();
-  body = irg::merge_positions(std::move(body));
+  body = irg::with_merged_positions(std::move(body));
   const irg::outward_status turned = irg::orient_outward(body);
   const auto left = irg::list_faults(body);
   if (!out.empty())
-    if (const auto error = irg::write_mesh(out, body)) line.fail(std::string(error->message) + ": " + out);
+    if (const auto saved = irg::save_mesh(out, body); !saved)
+      line.fail(std::string(saved.error().message) + ": " + out);
   if (list) {
     for (const irg::mesh_fault& f : left) std::printf("%s\n", std::string(irg::sentence_of(f)).c_str());
   } else {
-    const char* const how = turned == irg::outward_status::done   ? "done"
+    const char* const how = turned == irg::outward_status::ok     ? "done"
                             : turned == irg::outward_status::open ? "open"
                                                                   : "no-surface";
     std::printf("before: %zu\nafter: %zu\nturned: %s\n", before, left.size(), how);
-    if (left.empty() && turned == irg::outward_status::done)
+    if (left.empty() && turned == irg::outward_status::ok)
       std::printf("volume: %s\n", program::shortest(irg::solid_volume(body)).c_str());
   }
   program::finish_output(line, out);

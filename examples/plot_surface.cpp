@@ -79,9 +79,9 @@ settings read_settings(program::command_line& line) {
       s.plot.style =
           line.choice(word, {"lines", "facets"}) == 1 ? irg::surface_style::facets : irg::surface_style::lines;
     else if (word == "--azimuth")
-      s.plot.azimuth = degrees(word, 360);
+      s.plot.azimuth_degrees = degrees(word, 360);
     else if (word == "--elevation")
-      s.plot.elevation = degrees(word, 90);
+      s.plot.elevation_degrees = degrees(word, 90);
     else if (word == "--labels")
       read_labels(line, s.plot);
     else if (word == "--animate")
@@ -98,7 +98,7 @@ settings read_settings(program::command_line& line) {
   if (!s.terrain.empty() && !s.image.empty()) line.fail("only one of --terrain and --image can be drawn");
   for (const std::string& in : {s.terrain, s.image})
     if (program::one_file(s.out, in)) line.fail("the input would be overwritten: " + in);
-  if (s.pictures > 0 && irg::picture_format_of(s.out) != irg::picture_format::png)
+  if (s.pictures > 0 && irg::image_format_of_name(s.out) != irg::image_format::png)
     line.fail("option --animate needs -o with a name that ends in .png");
   return s;
 }
@@ -117,7 +117,7 @@ irg::height_grid read_heights(const program::command_line& line, const settings&
     const irg::sample_range range{-4, 4, s.samples};
     return irg::sample_heights(height, range, range);
   }
-  const auto bytes = irg::read_file(name);
+  const auto bytes = irg::load_file(name);
   if (!bytes) line.fail(std::string(bytes.error().message) + ": " + name);
   const auto refuse = [&](const irg::parse_error& e) {
     line.fail(std::string(e.message) + ": " + name + ":" + std::to_string(e.line) + ":" + std::to_string(e.column));
@@ -137,8 +137,8 @@ void write_svg(const program::command_line& line, const std::string& out, const 
   auto sink = [&](std::string_view piece) { text += piece; };
   irg::write_svg_plot(sink, plot);
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-  if (const auto error = irg::write_file_atomically(out, std::span<const std::uint8_t>(bytes, text.size())))
-    line.fail(std::string(error->message) + ": " + out);
+  if (const auto saved = irg::save_file(out, std::span<const std::uint8_t>(bytes, text.size())); !saved)
+    line.fail(std::string(saved.error().message) + ": " + out);
 }
 
 // Every picture shows some more lines or facets, in the order of drawing.
@@ -160,8 +160,8 @@ void write_animation(const program::command_line& line, const settings& s, irg::
     file.insert(file.end(), bytes->begin(), bytes->end());
     std::fprintf(stderr, "picture %d of %d\n", i, s.pictures);
   }
-  if (const auto error = irg::write_file_atomically(s.out, std::span<const std::uint8_t>(file)))
-    line.fail(std::string(error->message) + ": " + s.out);
+  if (const auto saved = irg::save_file(s.out, std::span<const std::uint8_t>(file)); !saved)
+    line.fail(std::string(saved.error().message) + ": " + s.out);
 }
 
 void run(program::command_line& line) {
@@ -169,10 +169,10 @@ void run(program::command_line& line) {
   const irg::height_grid grid = read_heights(line, s);
   const auto plot = irg::plot_surface(grid.surface(), s.plot);
   if (plot.status == irg::grid_surface_status::eye_on_surface) line.fail("the eye lies on the surface");
-  if (!plot.is_ordinary()) line.fail("there are no heights over a grid of 2x2 points or more");
+  if (!plot.ok()) line.fail("there are no heights over a grid of 2x2 points or more");
   if (s.pictures > 0) {
     write_animation(line, s, plot.value);
-  } else if (!s.out.empty() && irg::picture_format_of(s.out) == irg::picture_format::svg) {
+  } else if (!s.out.empty() && irg::image_format_of_name(s.out) == irg::image_format::svg) {
     write_svg(line, s.out, plot.value);
   } else if (!s.out.empty()) {
     irg::image<irg::rgba8> picture(s.plot.width, s.plot.height, irg::plot_colours{}.paper);

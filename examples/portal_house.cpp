@@ -109,9 +109,9 @@ std::string names_of(const std::vector<irg::part_name>& names, const irg::visibl
 
 void write_sets(const program::command_line& line, const settings& s, const irg::visible_sets& sets) {
   if (s.sets.empty()) return;
-  if (const auto error = irg::write_file_atomically(s.sets, irg::encode_visible_sets(sets))) {
+  if (const auto saved = irg::save_file(s.sets, irg::encode_visible_sets(sets)); !saved) {
     program::remove_written(s.out);
-    line.fail(std::string(error->message) + ": " + s.sets);
+    line.fail(std::string(saved.error().message) + ": " + s.sets);
   }
 }
 

@@ -70,7 +70,7 @@ std::string report_of(const irg::scene<double>& world, bool list) {
   std::string text;
   std::size_t triangles = 0, visible = 0;
   for (std::size_t f = 0; f < body.face_count(); ++f) {
-    const bool hidden = irg::is_hidden(irg::side_of_face(body, f, eye));
+    const bool hidden = irg::is_hidden(irg::facing_of(body, f, eye));
     triangles += body.face_size(f) - 2;
     visible += hidden ? 0 : body.face_size(f) - 2;
     if (!list) continue;

@@ -208,7 +208,7 @@ std::string numbers(const town& t, const std::vector<view>& views, const std::ve
   text += "\n";
   for (std::size_t i = 0; i < legs.size(); ++i) {
     text += "leg: " + std::to_string(i);
-    if (legs[i].parts.status != irg::visibility_status::done) {
+    if (legs[i].parts.status != irg::visibility_status::ok) {
       text += " crosses a wall\n";
       continue;
     }
@@ -296,10 +296,10 @@ void draw(const program::command_line& line, const settings& s, const town& t, c
   for (const view& v : views) painter.fill({v.outline()}, town_painter::bright);
   painter.fill(t.houses, town_painter::house);
   for (const view& v : views) painter.mark(v.from);
-  if (irg::picture_format_of(s.out) != irg::picture_format::svg)
+  if (irg::image_format_of_name(s.out) != irg::image_format::svg)
     program::write_picture(line, s.out, painter.picture);
-  else if (const auto error = irg::write_file_atomically(s.out, painter.finish()))
-    line.fail(std::string(error->message) + ": " + s.out);
+  else if (const auto saved = irg::save_file(s.out, painter.finish()); !saved)
+    line.fail(std::string(saved.error().message) + ": " + s.out);
 }
 
 void run(program::command_line& line) {

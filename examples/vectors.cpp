@@ -115,7 +115,7 @@ answers solve(const program::command_line& line, const problem& p) {
   if (!std::isfinite(r.s)) line.fail("s is too large");
   r.v2 = irg::cross_accurate(r.v1, p.c);
   expect_finite(r.v2, "v2");
-  r.v3 = irg::try_normalize(r.v2);
+  r.v3 = irg::try_normalized(r.v2);
   r.v4 = -r.v2;
   r.m1 = p.A + p.B;
   for (int i = 0; i < 3; ++i)

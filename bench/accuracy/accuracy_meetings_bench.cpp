@@ -171,7 +171,8 @@ void rays() {
     s.panel(d,
             {bench::for_each_item("irg", items,
                                   [](const plane_and_line& i) {
-                                    const auto m = irg::cross_triangle(irg::ray_between(i[3], i[4]), i[0], i[1], i[2]);
+                                    const auto m =
+                                        irg::intersect_triangle(irg::ray_between(i[3], i[4]), i[0], i[1], i[2]);
                                     return m ? m->t : none;
                                   }),
              bench::for_each_item("Moller and Trumbore", items, time_by_moller_trumbore)},

@@ -110,14 +110,14 @@ void enter_batch(point_set<double, 3, 2> made, bool one_line) {
   made.name += one_line ? " (one line)" : " (a line for each)";
   const auto& s = keep(std::move(made));
   const auto& columns = keep(in_columns(s));
-  const deciders<double, 3, 2> all("orient2d_batch", s);
+  const deciders<double, 3, 2> all("orient2d_all", s);
   auto& signs = all.signs();
   const irg::point<double, 2> a = as_point<double, 2>(s.calls[0][0]), b = as_point<double, 2>(s.calls[0][1]);
   all.enter("irg", [&columns, &signs, a, b, one_line] {
     if (one_line)
-      irg::orient2d_batch(a, b, columns.of(2), signs);
+      irg::orient2d_all(a, b, columns.of(2), signs);
     else
-      irg::orient2d_batch(columns.of(0), columns.of(1), columns.of(2), signs);
+      irg::orient2d_all(columns.of(0), columns.of(1), columns.of(2), signs);
     asm volatile("" : : "r"(signs.data()) : "memory");
   });
   const auto one_by_one = [&columns, &signs, one_line](const auto& sign) {

@@ -124,7 +124,7 @@ irg::drawable<double> bunny_or_sphere() {
 #ifdef IRG_MODELS_DIR
   const char* path = IRG_MODELS_DIR "/stanford-bunny.obj";
   if (std::ifstream(path))
-    if (const auto text = irg::read_file(path))
+    if (const auto text = irg::load_file(path))
       if (auto mesh = irg::read_obj<double>({text->data(), text->size()})) return irg::make_drawable(*std::move(mesh));
 #endif
   return irg::make_drawable(irg::shape_sphere<double>({.slices = 264, .stacks = 132}));
@@ -134,7 +134,7 @@ irg::drawable<double> bunny_or_sphere() {
 scene_of_faces bunny_scene(int width, int height, irg::face_culling culling) {
   const auto body = bunny_or_sphere();
   irg::box<double, 3> around;
-  for (const auto& p : body.positions) around = irg::enclosing_box(around, p);
+  for (const auto& p : body.positions) around = irg::bounding_box(around, p);
   const double scale = 0.95 * height / (around.high.y - around.low.y);
   scene_of_faces s{width, height, {}, {}, id_image(width, height, irg::no_face)};
   for (const irg::triangle_indices& t : body.triangles) {

@@ -43,7 +43,7 @@ TopoDS_Shape shape_of(int i) {
   }
 }
 
-irg::mesh<double> mesh_of(const TopoDS_Shape& shape) {
+irg::mesh<double> to_mesh(const TopoDS_Shape& shape) {
   irg::mesh<double> m;
   for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next()) {
     TopLoc_Location place;
@@ -63,7 +63,7 @@ irg::mesh<double> mesh_of(const TopoDS_Shape& shape) {
       m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
     }
   }
-  return irg::merge_positions(std::move(m));
+  return irg::with_merged_positions(std::move(m));
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ const std::vector<irg::mesh<double>>& occt_bodies(int side, double deflection) {
     move.SetTranslation(gp_Vec(1.5 * (i % side - 0.5 * (side - 1)), 0, 1.5 * (i / side - 0.5 * (side - 1))));
     const TopoDS_Shape shape = BRepBuilderAPI_Transform(shape_of(i), move * tilt * turn, true).Shape();
     BRepMesh_IncrementalMesh(shape, deflection, false, 0.5, false);
-    s.meshes.push_back(mesh_of(shape));
+    s.meshes.push_back(to_mesh(shape));
     s.shapes.push_back(shape);
   }
   return s.meshes;

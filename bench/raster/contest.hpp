@@ -58,8 +58,8 @@ inline void save_picture(const contest& c, const canvas& on, const drawer& d) {
       picture(x, y) = {p.r, p.g, p.b};
     }
   const std::string path = std::string(folder) + "/" + name + ".png";
-  if (const auto error = irg::write_image(path, picture))
-    std::fprintf(stderr, "%s: %s\n", error->message, path.c_str());
+  if (const auto saved = irg::save_image(path, picture); !saved)
+    std::fprintf(stderr, "%s: %s\n", saved.error().message, path.c_str());
 }
 
 /// Draws all items on an empty canvas and gives a sum over the values of its pixels.

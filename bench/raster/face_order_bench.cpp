@@ -21,7 +21,7 @@ float rounded_depth(const irg::screen_face& f, int x, int y) {
   irg::image<float> depth(1, 1, 0.0f);
   irg::screen_vertex v[3] = {f.v[0], f.v[1], f.v[2]};
   for (irg::screen_vertex& c : v) c.position.x -= x * irg::one_pixel, c.position.y -= y * irg::one_pixel;
-  irg::draw_triangle(colour, depth, {v[0], v[1], v[2]}, irg::solid_shader<char>{1});
+  irg::shade_triangle(colour, depth, {v[0], v[1], v[2]}, irg::solid_shader<char>{1});
   return depth(0, 0);
 }
 

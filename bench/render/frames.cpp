@@ -90,8 +90,8 @@ static void save_picture(const scene& s, const std::string& who, const irg::rgba
       picture(x, y) = {p.r, p.g, p.b};
     }
   const std::string path = std::string(folder) + "/" + name + ".png";
-  if (const auto error = irg::write_image(path, picture))
-    std::fprintf(stderr, "%s: %s\n", error->message, path.c_str());
+  if (const auto saved = irg::save_image(path, picture); !saved)
+    std::fprintf(stderr, "%s: %s\n", saved.error().message, path.c_str());
 }
 
 void enter_own(const frame_contest& c, const stage_access& on, const std::string& name, int threads,

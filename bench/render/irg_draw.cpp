@@ -55,7 +55,7 @@ template <class Picture, class MakeShader>
 irg::render_stats renderer::draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
                                       const irg::skip_options& skip, int threads) {
   const left_out whole = collect(skip, threads);
-  irg::render_stats stats = irg::draw_batches<irg::nearer_is_greater, float>(
+  irg::render_stats stats = irg::shade_batches<irg::nearer_is_greater, float>(
       irg::render_target{picture, depth}, {batches_, mapping_}, make_shader,
       {.culling = scene_.culling, .skip = skip, .clear = irg::clearing::before_drawing, .workspace = &workspace_},
       irg::parallel{threads});

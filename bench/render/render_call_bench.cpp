@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // irg::render as the README calls it: a scene of doubles with a light and a camera becomes a Gouraud-shaded picture, from
 // nothing, then prepared once, then with another light in each frame. Beside it what is left to do when vertices come
-// as floats with their colours: irg's draw_batches, to sRGB as render does it and to linear bytes as the peer does, and
+// as floats with their colours: irg's shade_batches, to sRGB as render does it and to linear bytes as the peer does, and
 // llvmpipe, which gets the same colours.
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ irg::camera<double> camera_for(const scene& s) {
   }
   const irg::box<double, 3> bounds{widened(s.objects[0].bounds.low), widened(s.objects[0].bounds.high)};
   const double aspect = static_cast<double>(aspect_of(s));
-  c = irg::camera_around(irg::centre(bounds), irg::length(irg::size(bounds)) / 2, irg::vec<double, 3>{0, 0.2, 1},
+  c = irg::camera_around(irg::centre(bounds), irg::length(irg::extent(bounds)) / 2, irg::vec<double, 3>{0, 0.2, 1},
                          irg::radians(40.0), aspect);
   const irg::mat<double, 4, 4> to_clip = irg::view_projection(c, aspect);
   double reach = 0;  // of the body, in halves of the picture
@@ -129,9 +129,9 @@ void enter_scene(const scene_plan& plan) {
   enter_render("irg:prepared", &user_scene::draw_prepared, "render of a prepared scene, nothing changed");
   enter_render("irg:prepared and lit anew", &user_scene::draw_changed, "render of a prepared scene, its light moved");
   enter_limit(
-      c, "irg:draw_batches to sRGB", [on] { on().renderer.draw_encoded(on().to.picture, on().to.depth); },
+      c, "irg:shade_batches to sRGB", [on] { on().renderer.draw_encoded(on().to.picture, on().to.depth); },
       [] { return "what is left to do with vertices and colours in floats, the pixels encoded as render's are"; });
-  enter_own(c, on, "irg:draw_batches", 1);
+  enter_own(c, on, "irg:shade_batches", 1);
   enter_limit(
       c, "limit:depth tests", [on] { stream_depth_tests(on().to.picture, on().to.depth, on().exact->tested); },
       [on] { return on().statistics(); });

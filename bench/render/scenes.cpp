@@ -46,7 +46,7 @@ static body_plan model_or_sphere(const std::string& name, const char* file, int 
   const std::string path = std::string(IRG_MODELS_DIR "/") + file;
   if (std::ifstream(path))
     return {name, [path] {
-              const auto text = irg::read_file(path.c_str());
+              const auto text = irg::load_file(path.c_str());
               if (text)
                 if (auto mesh = irg::read_obj<float>({text->data(), text->size()}))
                   return irg::make_drawable(*std::move(mesh));
@@ -98,7 +98,7 @@ static void add_body(scene& s, const body& b, float scale, const irg::vec<float,
     s.positions.push_back(p);
     s.normals.push_back(b.normals[i]);
     s.colours.push_back(shader(p, b.normals[i]));
-    o.bounds = irg::enclosing_box(o.bounds, p);
+    o.bounds = irg::bounding_box(o.bounds, p);
   }
   for (const irg::triangle_indices& t : b.triangles)
     s.triangles.push_back({{t.v[0] + o.first_vertex, t.v[1] + o.first_vertex, t.v[2] + o.first_vertex}});
@@ -108,7 +108,7 @@ static void add_body(scene& s, const body& b, float scale, const irg::vec<float,
 /// The body moved and scaled so that its box reaches from -1 to 1 along its longest side.
 body fitted_body(body b) {
   irg::box<float, 3> extents;
-  for (const auto& p : b.positions) extents = irg::enclosing_box(extents, p);
+  for (const auto& p : b.positions) extents = irg::bounding_box(extents, p);
   const irg::fit<float> f = irg::fit_of(extents);
   for (auto& p : b.positions) p = irg::fitted(p, f);
   return b;
@@ -140,7 +140,7 @@ static scene body_scene(const std::string& name, const body& b, double share, co
   scene s = empty_scene(name, irg::face_culling::back);
   add_body(s, fitted_body(b), 1, {}, {0.7f, 0.5f, 0.3f});
   const irg::box<float, 3>& extents = s.objects[0].bounds;
-  const auto view = irg::camera_around(irg::centre(extents), irg::length(irg::size(extents)) / 2,
+  const auto view = irg::camera_around(irg::centre(extents), irg::length(irg::extent(extents)) / 2,
                                        irg::vec<float, 3>{0, 0.2f, 1}, irg::radians(40.0f), aspect_of(s));
   s.to_clip = irg::view_projection(view, aspect_of(s));
   fill_picture(s, share);
@@ -198,7 +198,7 @@ scene random_triangles(const std::string& name, int count, const triangle_shape&
       s.positions.push_back(eye.at(x + radius * std::cos(angle), y + radius * std::sin(angle), away));
       s.normals.push_back({0, 0, 1});
       s.colours.push_back({channel(), channel(), channel()});
-      all.bounds = irg::enclosing_box(all.bounds, s.positions.back());
+      all.bounds = irg::bounding_box(all.bounds, s.positions.back());
     }
     s.triangles.push_back({{first, first + 1, first + 2}});
   }
@@ -266,7 +266,7 @@ static scene make_scene_visible(const std::string& name, int percent, hidden_by 
       s.positions.push_back(eye.at(x, y, distance * 0.9));
       s.normals.push_back({0, 0, 1});
       s.colours.push_back({0.2f, 0.25f, 0.3f});
-      o.bounds = irg::enclosing_box(o.bounds, s.positions.back());
+      o.bounds = irg::bounding_box(o.bounds, s.positions.back());
     }
     s.triangles.push_back({{v, v + 1, v + 2}});
     s.triangles.push_back({{v, v + 2, v + 3}});

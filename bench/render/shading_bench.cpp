@@ -101,7 +101,7 @@ struct subject {
     const irg::triangle_batch<double> batch[] = {{&projected, body.triangles}};
     const irg::textured_vertices vertices[] = {{body.textured}};
     const irg::texture_pyramid textures[] = {{&levels}};
-    return irg::draw_batches<irg::nearer_is_greater, double>(
+    return irg::shade_batches<irg::nearer_is_greater, double>(
         irg::render_target{to.picture, to.depth}, {batch, mapping},
         irg::mip_textured_shading<double>{vertices, textures, mapping},
         {.culling = irg::face_culling::back, .clear = irg::clearing::before_drawing, .workspace = &workspace});

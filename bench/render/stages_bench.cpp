@@ -95,7 +95,7 @@ private:
   void draw_with(const Shading& shading, const E& executor, measured& out) {
     irg::project_vertices<float>(vertices_, scene_.positions, scene_.to_clip, mapping_, executor);
     const irg::triangle_batch<float> batch[1] = {{&vertices_, scene_.triangles, 0, 0}};
-    out.stats = irg::draw_batches<irg::nearer_is_greater, float>(
+    out.stats = irg::shade_batches<irg::nearer_is_greater, float>(
         irg::render_target{picture_, depth_}, {batch, mapping_}, shading,
         {.culling = scene_.culling, .clear = irg::clearing::before_drawing, .workspace = &workspace_}, executor);
   }

@@ -145,7 +145,7 @@ scene layers(const std::string& name, int count, drawing order) {
     const auto first = static_cast<std::uint32_t>(s.positions.size());
     for (const auto& [x, y] : {std::pair{0, 0}, {0, s.height}, {s.width, s.height}, {s.width, 0}}) {
       s.positions.push_back(eye.at(x, y, distance * (x == 0 ? 1 : 1.05)));
-      all.bounds = irg::enclosing_box(all.bounds, s.positions.back());
+      all.bounds = irg::bounding_box(all.bounds, s.positions.back());
     }
     s.triangles.push_back({{first, first + 1, first + 2}});
     s.triangles.push_back({{first, first + 2, first + 3}});
@@ -175,8 +175,8 @@ struct tile_on_stage {
   void draw_one_by_one() {
     irg::clear(depth, 0.0f);
     for (const irg::triangle_indices& t : what.triangles)
-      irg::draw_triangle(picture, depth, {vertices.screen[t.v[0]], vertices.screen[t.v[1]], vertices.screen[t.v[2]]},
-                         irg::solid_shader<irg::rgba8>{{255, 255, 255, 255}});
+      irg::shade_triangle(picture, depth, {vertices.screen[t.v[0]], vertices.screen[t.v[1]], vertices.screen[t.v[2]]},
+                          irg::solid_shader<irg::rgba8>{{255, 255, 255, 255}});
   }
   errors judge() const {
     const verdict v = judge_depth(what, find_exact_picture(what, snapped), depth.data());
@@ -192,7 +192,7 @@ void enter_tile(const std::string& name, drawing order) {
   auto& on = keep_lazy([name, order] { return std::make_unique<tile_on_stage>(layers(name, count, order)); });
   enter(c, {"irg", [&on] { (*on)->renderer.draw_depth((*on)->depth, 1); }, [&on] { return (*on)->judge(); },
             "draw_depth: with the vertices and the list of the tile"});
-  enter(c, {"irg:draw_triangle", [&on] { (*on)->draw_one_by_one(); }, [&on] { return (*on)->judge(); },
+  enter(c, {"irg:shade_triangle", [&on] { (*on)->draw_one_by_one(); }, [&on] { return (*on)->judge(); },
             "writes colours; too"});
   enter(c, {"limit:depth tests",
             [&on] { stream_depth_tests((*on)->picture, (*on)->depth, count * 64 * 64); },

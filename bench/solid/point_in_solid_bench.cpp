@@ -59,7 +59,7 @@ bool plain_is_inside(const body& m, const place& p) {
 
 void enter_case(const std::string& name, const body& shape) {
   const int count = smoke() ? 16 : 2048;
-  auto& triangles = keep(irg::triangulate(shape));
+  auto& triangles = keep(irg::triangulated(shape));
   auto& points = keep(std::vector<place>{});
   test::random random(9);
   const auto corner = [&] {
@@ -96,7 +96,7 @@ void enter_case(const std::string& name, const body& shape) {
   add("irg:all triangles",
       [&triangles](const place& p) { return irg::point_in_solid(triangles, p) == irg::location::inside; });
 #ifdef IRG_HAVE_CGAL
-  auto& mesh = keep(to_surface(irg::merge_positions(triangles)));
+  auto& mesh = keep(to_surface(irg::with_merged_positions(triangles)));
   const auto& side = keep(CGAL::Side_of_triangle_mesh<surface, kernel>(mesh));
   add("CGAL", [&side](const place& p) { return side(kernel::Point_3(p.x, p.y, p.z)) == CGAL::ON_BOUNDED_SIDE; });
 #endif

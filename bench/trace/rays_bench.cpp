@@ -71,11 +71,11 @@ struct model {
 
 model make_model(const irg::mesh<float>& body, int width, int height) {
   model m;
-  const auto cut = irg::triangulate(body);
+  const auto cut = irg::triangulated(body);
   for (std::size_t f = 0; f < cut.face_count(); ++f)
     m.triangles.push_back({cut.positions[cut.corner(f, 0).position], cut.positions[cut.corner(f, 1).position],
                            cut.positions[cut.corner(f, 2).position]});
-  const auto ball = irg::sphere_around(body);
+  const auto ball = irg::bounding_sphere_of(body);
   const float away = 2.5f * ball.radius, reach = 1.1f * ball.radius / away;
   const place eye = ball.centre + irg::vec<float, 3>{0, 0, away};
   for (int y = 0; y + 4 <= height; y += 4)

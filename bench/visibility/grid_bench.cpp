@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fields of view on grids: by irg's sweeps, by a thesis' search with its savings, and by libtcod where it is installed.
-// Wrong are cells that see() judges otherwise; of large maps 20,000 cells drawn at random are asked for.
+// Wrong are cells that has_line_of_sight() judges otherwise; of large maps 20,000 cells drawn at random are asked for.
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -48,7 +48,8 @@ errors judged(const task& t, bool promised) {
   const irg::grid_extent e = t.map.extent();
   const std::int64_t cells = std::int64_t{e.width} * e.height * e.depth;
   const auto differs = [&](const irg::cell3& c) {
-    const bool exact = std::ranges::any_of(t.viewers, [&](const irg::cell3& u) { return irg::see(t.map, u, c); });
+    const bool exact =
+        std::ranges::any_of(t.viewers, [&](const irg::cell3& u) { return irg::has_line_of_sight(t.map, u, c); });
     return exact != t.seen.is_full(c);
   };
   errors out;
@@ -66,7 +67,7 @@ errors judged(const task& t, bool promised) {
     }
     out.note = "wrong ones of 20000 cells";
   }
-  if (promised && out.wrong != 0) out.broken = "a cell is seen that see() hides, or the other way round";
+  if (promised && out.wrong != 0) out.broken = "a cell is seen that has_line_of_sight() hides, or the other way round";
   return out;
 }
 

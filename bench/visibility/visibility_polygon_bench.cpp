@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Visibility polygons among many segments: irg, and CGAL's triangular expansion where it is installed. CGAL's
 // segments must not cross, and it needs an arrangement and a triangulation, which serve for many sources: it is measured
-// with them and without. Wrong are segments seen through: ways from the source to the middle of an edge that see()
+// with them and without. Wrong are segments seen through: ways from the source to the middle of an edge that has_line_of_sight()
 // finds stopped.
 #include <cmath>
 #include <memory>
@@ -72,7 +72,7 @@ errors judged(const task& t) {
     if (v.stop == irg::sight_stop::nothing) continue;
     const place middle{(v.at.x + w.at.x) / 2, (v.at.y + w.at.y) / 2};
     const place before{middle.x + (source.x - middle.x) * 1e-6, middle.y + (source.y - middle.y) * 1e-6};
-    e.wrong += !irg::see(source, before, t.walls);
+    e.wrong += !irg::has_line_of_sight(source, before, t.walls);
   }
   e.note = std::to_string(n) + " vertices";
   if (e.wrong != 0) e.broken = "an edge of the polygon is not seen";

@@ -49,7 +49,7 @@ inline picture operations() {
   body cube = irg::shape_cube<double>();
   for (point3& q : cube.positions) q = {q.x * 1.5 - 0.75, q.y * 1.5 - 0.75, q.z * 1.5 - 0.75};
   const body ball = irg::shape_sphere<double>({.slices = 20, .stacks = 11});
-  const irg::boolean_operation each[] = {irg::boolean_operation::unite, irg::boolean_operation::intersection,
+  const irg::boolean_operation each[] = {irg::boolean_operation::union_, irg::boolean_operation::intersection,
                                          irg::boolean_operation::difference};
   for (int i = 0; i < 3; ++i) {
     const auto r = irg::solid_boolean(cube, ball, each[i]);
@@ -68,15 +68,15 @@ inline picture spans() {
   using tree = irg::csg_tree<double>;
   body cube = irg::shape_cube<double>();
   for (point3& q : cube.positions) q = {q.x * 1.5 - 0.75, q.y * 1.5 - 0.75, q.z * 1.5 - 0.75};
-  tree all = irg::combine(tree(cube), tree(irg::shape_sphere<double>({.slices = 24, .stacks = 13})),
-                          irg::boolean_operation::intersection);
+  tree all = irg::csg_boolean(tree(cube), tree(irg::shape_sphere<double>({.slices = 24, .stacks = 13})),
+                              irg::boolean_operation::intersection);
   for (int axis = 0; axis < 3; ++axis) {
     body rod = irg::shape_cylinder<double>(16);
     for (point3& q : rod.positions) {
       const point3 thin{q.x * 0.42, q.y * 1.5, q.z * 0.42};
       for (int i = 0; i < 3; ++i) q[(i + axis) % 3] = thin[i];
     }
-    all = irg::combine(std::move(all), tree(rod), irg::boolean_operation::difference);
+    all = irg::csg_boolean(std::move(all), tree(rod), irg::boolean_operation::difference);
   }
   const irg::csg_spans<double> through(all);
   const vec3 back = irg::normalized(vec3{0.55, 0.5, 1}), right = irg::normalized(irg::cross(vec3{0, 1, 0}, back)),

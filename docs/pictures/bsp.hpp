@@ -69,7 +69,7 @@ struct bodies {
   void add(const irg::mesh<double>& body, const vec3& to, irg::rgba8 colour) {
     const auto first = static_cast<std::uint32_t>(corners.size());
     for (const point3& p : body.positions) corners.push_back(p + to);
-    const irg::mesh<double> cut = irg::triangulate(body);
+    const irg::mesh<double> cut = irg::triangulated(body);
     for (std::size_t f = 0; f < cut.face_count(); ++f) {
       triangles.push_back(
           {{first + cut.corner(f, 0).position, first + cut.corner(f, 1).position, first + cut.corner(f, 2).position}});

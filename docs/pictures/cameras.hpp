@@ -45,7 +45,7 @@ inline space seen_from(const vec3& to_viewer, const point2& origin, double unit)
 // An arrow with the letter of its axis beyond its tip.
 inline void axis(picture& p, char name, const point2& from, const point2& to, irg::rgba8 colour) {
   arrow(p, from, to, 2, colour);
-  const auto along = irg::try_normalize(to - from);
+  const auto along = irg::try_normalized(to - from);
   if (along) letter(p, name, to + *along * 12.0, 4.5, colour);
 }
 inline void axes(picture& p, const space& s, double length, const mat4& frame = irg::identity<double, 4>()) {

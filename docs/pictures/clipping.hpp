@@ -101,9 +101,9 @@ inline picture operations() {
   const std::vector<Ring> b{{{90, 60}, {200, 60}, {200, 170}, {90, 170}},
                             {{130, 90}, {170, 90}, {170, 140}, {130, 140}}};
   double left = 0;
-  for (const auto operation : {irg::boolean_operation::intersection, irg::boolean_operation::unite,
+  for (const auto operation : {irg::boolean_operation::intersection, irg::boolean_operation::union_,
                                irg::boolean_operation::difference, irg::boolean_operation::symmetric_difference}) {
-    std::vector<Ring> rings = polygon_overlay(a, b, operation).rings;
+    std::vector<Ring> rings = polygon_boolean(a, b, operation).rings;
     for (Ring& ring : rings) ring = moved(ring, left);
     irg::fill_polygon_aa(p, rings, irg::fill_rule::non_zero, blue);
     for (const Ring& ring : a) outline(p, moved(ring, left), faint);

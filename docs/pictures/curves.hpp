@@ -76,7 +76,7 @@ inline void carried_frames(picture& p) {
     const point2 foot = view.at(at(k));
     stroke(p, {foot, view.at(at(k) + 0.4 * frame.normal)}, 3, red);
     stroke(p, {foot, view.at(at(k) + 0.4 * frame.binormal)}, 3, blue);
-    frame = irg::rotation_minimising_frame(frame, at(k + 1) - at(k), at(k + 2) - at(k));
+    frame = irg::rotation_minimizing_frame(frame, at(k + 1) - at(k), at(k + 2) - at(k));
   }
 }
 

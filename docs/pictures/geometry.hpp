@@ -182,7 +182,7 @@ inline picture boxes() {
     ring first, second;
     for (const point2& q : star) first.push_back(q + places[k].star);
     for (const point2& q : sickle) second.push_back(q + places[k].sickle);
-    const auto b = irg::enclosing_box(first), c = irg::enclosing_box(second);
+    const auto b = irg::bounding_box(first), c = irg::bounding_box(second);
     const auto ring_of = [&](const irg::box<double, 2>& box) {
       return ring{s.at(irg::corner(box, 0)), s.at(irg::corner(box, 1)), s.at(irg::corner(box, 3)),
                   s.at(irg::corner(box, 2))};

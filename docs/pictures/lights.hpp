@@ -52,7 +52,7 @@ inline picture depths() {
   constexpr int width = 360, height = 270;
   const auto teapot = irg::shape_teapot<double>();
   const auto body = irg::make_drawable(teapot);
-  const auto ball = irg::sphere_around(teapot);
+  const auto ball = irg::bounding_sphere_of(teapot);
   const auto mapping = irg::map_to_screen<double>(width, height);
   picture all(2 * width + 12, height, paper);
   int left = 0;

@@ -37,7 +37,7 @@ inline picture faces() {
   irg::add_face(m, std::array{1, 2, 3, 4, 5});
   irg::add_face(m, std::array{7, 6, 5, 4, 3, 10, 9, 8});
   const irg::rgba8 colours[] = {{206, 222, 240, 255}, {240, 210, 200, 255}, {210, 228, 208, 255}};
-  const body triangles = irg::triangulate(m);
+  const body triangles = irg::triangulated(m);
   for (int i = 0; i < 2; ++i) {
     const board b{p, panel * i + 24.0, height - 20.0, 76};
     const auto flat = [](const shape& s) {
@@ -123,7 +123,7 @@ inline picture fitting() {
     box_edges(s, {-1, -1, -1}, {1, 1, 1}, true, grey);
     for (std::size_t f = 0; f < shape_of_it.face_count(); ++f)
       outline(p, s.at(face_of(shape_of_it, f)), 0.9, with_opacity(blue, 150));
-    const auto b = irg::enclosing_box(shape_of_it);
+    const auto b = irg::bounding_box(shape_of_it);
     box_edges(s, b.low, b.high, false, red);
     axes(p, s, 0.55);
   }

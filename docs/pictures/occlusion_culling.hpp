@@ -58,10 +58,10 @@ inline picture seen_from_above() {
   std::vector<irg::drawable<double>> bodies;
   std::vector<irg::occludable_object<double>> objects;
   for (const irg::object<double>& o : s.objects)
-    bodies.push_back(irg::make_drawable(irg::transform_mesh(o.shape, o.placement)));
+    bodies.push_back(irg::make_drawable(irg::transformed(o.shape, o.placement)));
   for (const irg::drawable<double>& b : bodies) {
     irg::box<double, 3> box;
-    for (const auto& p : b.positions) box = irg::enclosing_box(box, p);
+    for (const auto& p : b.positions) box = irg::bounding_box(box, p);
     objects.push_back({box, b.positions, b.triangles});
   }
   irg::occlusion_culling<double> culling(irg::view_projection(s.view, 1.0 * width / height), width, height);

@@ -123,7 +123,7 @@ void depth() {
     };
     const irg::screen_vertex a{{20 * 256, top * 256}, left}, b{{400 * 256, top * 256}, right},
         c{{210 * 256, 210 * 256}, (left + right) / 2};
-    irg::draw_triangle(
+    irg::shade_triangle(
         p, z, {a, b, c},
         irg::vertex_colour_shader<irg::rgba8, encode_light>{mix(a.depth), mix(b.depth), mix(c.depth), {}});
   };
@@ -139,7 +139,7 @@ irg::scene<double> scene_of(irg::mesh<double> shape, vec3 from, int width, int h
   s.objects[0].surface = {{0.10, 0.20, 0.30}, {0.25, 0.50, 0.75}, {0.40, 0.40, 0.40}, 50.0};
   s.lights = {{{-0.4, 1.0, 0.7, 0.0}, {1.0, 1.0, 1.0}}};
   s.ambient = {0.5, 0.5, 0.5};
-  const auto ball = irg::sphere_around(s.objects[0].shape);
+  const auto ball = irg::bounding_sphere_of(s.objects[0].shape);
   s.view = irg::camera_around(ball.centre, ball.radius / zoom, from, irg::radians(40.0),
                               static_cast<double>(width) / height);
   s.view = irg::with_depth_range(s.view, ball.centre, ball.radius);
@@ -322,7 +322,7 @@ void shapes() {
 void projections() {
   picture p(800, 300, paper);
   auto s = scene_of(irg::shape_cube<double>(), {1.0, 0.8, 1.6}, 400, 300);
-  const auto ball = irg::sphere_around(s.objects[0].shape);
+  const auto ball = irg::bounding_sphere_of(s.objects[0].shape);
   s.view = irg::camera_around(ball.centre, ball.radius * 1.3, vec3{1.0, 0.8, 1.6}, irg::radians(70.0), 4.0 / 3.0);
   paste(p, render(s, 400, 300, {.style = irg::picture_style::flat}), 0, 0);
   s.view.projection = irg::projection_kind::orthographic;
@@ -472,7 +472,7 @@ int main(int argc, char** argv) {
   save("soft_light", ray_pictures::soft_shadows());
   save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
-  save("cross_triangle", tree_pictures::shares());
+  save("intersect_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());

@@ -39,7 +39,7 @@ inline picture surfaces() {
   options.style = irg::surface_style::facets;
   options.x = "length", options.y = "height", options.z = "width";
   show(whole, 0);
-  options.style = irg::surface_style::lines, options.azimuth = -30;
+  options.style = irg::surface_style::lines, options.azimuth_degrees = -30;
   show(holed, width);
   return p;
 }

@@ -180,7 +180,7 @@ inline picture batch() {
       if ((state >> 24) % 3 == 0 || (3 * i - 7 * j == -10 && i != 6 && i != 55)) x.push_back(i), y.push_back(j);
     }
   std::vector<std::int8_t> signs(x.size());
-  irg::orient2d_batch(from, to, irg::point_columns{x, y}, signs);
+  irg::orient2d_all(from, to, irg::point_columns{x, y}, signs);
   b.line(from + (to - from) * -0.2, from + (to - from) * 1.2, 1.5, ink);
   b.edge(from, to, 2.5, ink, 0.51);
   for (std::size_t i = 0; i < x.size(); ++i)

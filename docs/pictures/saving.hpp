@@ -15,8 +15,8 @@ inline std::string folder = ".";
 inline int failures = 0;
 
 inline void save(const std::string& name, const enlarging::picture& p) {
-  if (const auto error = irg::write_image(folder + "/" + name + ".png", p)) {
-    std::fprintf(stderr, "pictures: %s: %s\n", error->message, name.c_str());
+  if (const auto saved = irg::save_image(folder + "/" + name + ".png", p); !saved) {
+    std::fprintf(stderr, "pictures: %s: %s\n", saved.error().message, name.c_str());
     ++failures;
   }
 }

@@ -88,7 +88,7 @@ inline picture torus() {
   }
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch one[1] = {{&projected, t.triangles}};
-  irg::draw_batches({p, depth}, {one, irg::map_to_screen<double>(480, 330)}, chequers{vertices});
+  irg::shade_batches({p, depth}, {one, irg::map_to_screen<double>(480, 330)}, chequers{vertices});
   return p;
 }
 
@@ -165,7 +165,7 @@ inline picture textured_torus() {
   const irg::texture_image textures[1] = {{texels.view(), {}}};
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch one[1] = {{&projected, t.triangles}};
-  irg::draw_batches({p, depth}, {one, irg::map_to_screen<double>(480, 330)}, irg::textured_shading{objects, textures});
+  irg::shade_batches({p, depth}, {one, irg::map_to_screen<double>(480, 330)}, irg::textured_shading{objects, textures});
   return p;
 }
 
@@ -198,9 +198,9 @@ inline picture mip_floors() {
     const auto projected = seen_from(room, {0, 1, 1.8}, {-0.4, 0.7, -1}, p);
     const batch one[1] = {{&projected, room.triangles}};
     if (k == 0)
-      irg::draw_batches({p, depth}, {one, mapping}, irg::textured_shading{objects, textures});
+      irg::shade_batches({p, depth}, {one, mapping}, irg::textured_shading{objects, textures});
     else
-      irg::draw_batches({p, depth}, {one, mapping}, irg::mip_textured_shading<double>{objects, pyramids, mapping});
+      irg::shade_batches({p, depth}, {one, mapping}, irg::mip_textured_shading<double>{objects, pyramids, mapping});
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) both(k * (width + gap) + x, y) = p(x, y);
   }
@@ -216,8 +216,8 @@ inline picture panes() {
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch opaque[1] = {{&projected, t.triangles}};
   irg::image<std::uint8_t> unused(480, 330);
-  irg::draw_batches(irg::render_target{unused, depth}, {opaque, mapping},
-                    [](const batch&, std::uint32_t, irg::facing) { return irg::solid_shader<std::uint8_t>{1}; });
+  irg::shade_batches(irg::render_target{unused, depth}, {opaque, mapping},
+                     [](const batch&, std::uint32_t, irg::facing) { return irg::solid_shader<std::uint8_t>{1}; });
 
   const irg::rgba8 glass[3] = {{204, 60, 40, 150}, {60, 160, 60, 130}, {40, 80, 200, 150}};
   std::vector<patch> pieces;

@@ -144,7 +144,7 @@ inline picture corners() {
   for (const std::vector<cell>& blocks : {std::vector<cell>{{2, 1}}, {{2, 1}, {1, 2}}, {{3, 2}}}) {
     irg::walled_grid map(irg::grid_extent{6, 5, 1});
     for (const cell c : blocks) map.set(c);
-    picture p = drawn(map, size, [&](cell c) { return irg::see(map, cell{0, 0}, c) ? lit : dark; });
+    picture p = drawn(map, size, [&](cell c) { return irg::has_line_of_sight(map, cell{0, 0}, c) ? lit : dark; });
     segment(p, {0, 0}, {4, 4}, size, ink);
     segment(p, {0, 0}, {5, 3}, size, ink);
     panels.push_back(p);
@@ -263,7 +263,7 @@ inline bool write_sweep(const std::string& path) {
         add("<path d=\"M%d %dh%d\" stroke=\"#784828\" stroke-width=\"3\"/>\n", x * size, (y + 1) * size, size);
     }
   svg += "</svg>\n";
-  return !irg::write_file_atomically(path, svg).has_value();
+  return irg::save_file(path, svg).has_value();
 }
 
 }  // namespace sight_pictures

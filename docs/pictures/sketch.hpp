@@ -73,7 +73,7 @@ inline void stroke(picture& p, const ring& points, double width, irg::rgba8 colo
   for (const point2& q : points) parts.push_back(circle(q, width / 2));
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const point2 a = points[i], b = points[i + 1];
-    const auto along = irg::try_normalize(b - a);
+    const auto along = irg::try_normalized(b - a);
     if (!along) continue;
     const vec2 aside{-along->y * width / 2, along->x * width / 2};
     parts.push_back({a + aside, b + aside, b - aside, a - aside});
@@ -95,7 +95,7 @@ inline void dashes(picture& p, const point2& a, const point2& b, double width, i
 }
 
 inline void arrow(picture& p, const point2& a, const point2& b, double width, irg::rgba8 colour) {
-  const auto along = irg::try_normalize(b - a);
+  const auto along = irg::try_normalized(b - a);
   if (!along) return;
   const vec2 back = *along * (4.5 * width), aside{-along->y * 2 * width, along->x * 2 * width};
   stroke(p, {a, b - back * 0.8}, width, colour);

@@ -143,7 +143,7 @@ inline picture queries() {
     dot(p, cell(q), 4, colours[0]);
     dot(p, cell(place.point), 3, colours[0]);
   }
-  irg::bezier_line_crossings(points, a, b, scratch, [&](const irg::zero_stretch<double>& z) {
+  irg::bezier_line_intersections(points, a, b, scratch, [&](const irg::zero_stretch<double>& z) {
     dot(p, cell(irg::bezier_point(points, z.middle())), 4, colours[2]);
   });
   return p;

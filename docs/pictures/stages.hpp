@@ -41,12 +41,12 @@ inline matrix placement() {
   return irg::translation(irg::vec<double, 3>{0.3, 0.5, 0}) * irg::rotation_x(0.12) * irg::rotation_z(-0.3) *
          irg::rotation_y(2.6);
 }
-inline body in_world() { return irg::transform_mesh(object(), placement()); }
+inline body in_world() { return irg::transformed(object(), placement()); }
 
 inline irg::camera_frame<double> camera() {
   return irg::look_at_frame(point3{0.6, 1.15, 3.15}, point3{-0.3, 0.42, 0}, irg::vec<double, 3>{0, 1, 0});
 }
-inline body in_camera() { return irg::transform_mesh(in_world(), irg::view_matrix(camera())); }
+inline body in_camera() { return irg::transformed(in_world(), irg::view_matrix(camera())); }
 
 inline std::vector<std::uint32_t> fronts() {  // in camera space the eye is the origin
   return irg::front_faces(in_camera(), irg::hpoint<double, 3>{0, 0, 0, 1});
@@ -241,7 +241,7 @@ void fill(picture& colour, irg::image<float>& depth) {
     const irg::solid_shader<irg::rgba8> paint{{v, v, v, 255}};
     const auto left = clipped(m, f);
     for (int k = 1; k + 1 < left.count; ++k)
-      irg::draw_triangle<Order>(
+      irg::shade_triangle<Order>(
           colour, depth,
           {irg::to_screen(left.vertices[0].position, mapping), irg::to_screen(left.vertices[k].position, mapping),
            irg::to_screen(left.vertices[k + 1].position, mapping)},
@@ -277,7 +277,7 @@ inline picture on_one_screen() {
   std::vector<point3> corners;
   const body m = in_camera();
   for (const irg::mesh_corner& c : m.corners) corners.push_back(m.positions[c.position]);
-  irg::textbook::draw_triangles(corners, projection(), p, depth, [](std::size_t, const auto& at) {
+  irg::textbook::shade_triangles(corners, projection(), p, depth, [](std::size_t, const auto& at) {
     const auto channel = [&](float a, float b, float c) {
       return static_cast<std::uint8_t>(60 + 190 * at.interpolate(a, b, c));
     };

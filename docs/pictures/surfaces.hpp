@@ -56,7 +56,7 @@ struct facets {
       ring outline_of;
       for (const point3& q : f) outline_of.push_back(view.at(q));
       const auto n =
-          irg::try_normalize(cross(view.turned(f[1]) - view.turned(f[0]), view.turned(f[2]) - view.turned(f[0])));
+          irg::try_normalized(cross(view.turned(f[1]) - view.turned(f[0]), view.turned(f[2]) - view.turned(f[0])));
       const vec3 light = irg::normalized(vec3{-0.4, 0.7, 0.8});
       area(p, outline_of, shaded(colour, n ? std::fabs(dot(*n, light)) : 1));
       outline(p, outline_of, edge, shaded(colour, 0.05));
@@ -115,7 +115,7 @@ inline void swept(picture& p) {
   for (int k = 0; k < rows; ++k) {
     net.resize(net.size() + section.size());
     irg::section_row<double>(frame, place(k), section, std::span(net).last(section.size()));
-    frame = irg::rotation_minimising_frame(frame, place(k + 1) - place(k), place(k + 2) - place(k));
+    frame = irg::rotation_minimizing_frame(frame, place(k + 1) - place(k), place(k + 2) - place(k));
   }
   std::vector<double> along(4, 0), round{0, 0, 0, 1, 2, 3, 4, 4, 4};
   for (int k = 1; k < rows - 3; ++k) along.push_back(k);

@@ -94,7 +94,7 @@ inline picture parts() {
 }
 
 inline std::vector<std::array<irg::point<double, 3>, 3>> triangles_of(const irg::mesh<double>& body) {
-  const irg::mesh<double> m = irg::triangulate(body);
+  const irg::mesh<double> m = irg::triangulated(body);
   std::vector<std::array<irg::point<double, 3>, 3>> all;
   for (std::size_t f = 0; f < m.face_count(); ++f)
     all.push_back({m.positions[m.corner(f, 0).position], m.positions[m.corner(f, 1).position],
@@ -147,7 +147,7 @@ inline picture shares() {
   for (int i = 0; i <= 14; ++i)
     for (int j = 0; j <= 10; ++j) {
       const irg::ray<double, 3> r{{i * 0.5, i % 5 == 2 ? 1 + (i * 0.5 - 1) * 0.8 : j * 0.5 + 0.5, 3}, {0, 0, -1}};
-      const int crossed = irg::cross_triangle(r, a, b, c) ? 1 : irg::cross_triangle(r, a, c, d) ? 2 : 0;
+      const int crossed = irg::intersect_triangle(r, a, b, c) ? 1 : irg::intersect_triangle(r, a, c, d) ? 2 : 0;
       disc(p, screen(r.origin.x, r.origin.y), 3.6,
            crossed == 1   ? blue
            : crossed == 2 ? green

@@ -57,7 +57,7 @@ struct studio_camera {
   point<T, 3> eye, target{};
   vec<T, 3> up{T(0), T(1), T(0)};
   projection_kind projection = projection_kind::perspective;
-  T oblique_angle = T(45), oblique_factor = cabinet_factor<T>;
+  T oblique_degrees = T(45), oblique_factor = cabinet_factor<T>;
   view_pyramid<T> pyramid{T(2), T(2), T(1.5), T(1), T(15)};
   std::array<display, 4> helpers{};
   bool operator==(const studio_camera&) const = default;
@@ -134,7 +134,7 @@ template <Floating T>
           vertical_angle_of(c.pyramid),
           c.pyramid.near_distance,
           c.pyramid.far_distance,
-          {radians(c.oblique_angle), c.oblique_factor}};
+          {radians(c.oblique_degrees), c.oblique_factor}};
 }
 
 /// Where a body stands as the main camera sees it: its transformations before the camera, then those after it, brought

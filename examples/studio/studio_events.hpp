@@ -84,14 +84,14 @@ struct aim_camera {
 template <Floating T>
 struct orbit_camera {
   studio_view view = studio_view::main;
-  T azimuth{}, elevation{}, factor = T(1);
+  T azimuth_degrees{}, elevation_degrees{}, factor = T(1);
 };
 /// Angle in degrees and factor are those of an oblique projection; others leave them.
 template <Floating T>
 struct set_projection {
   studio_view view = studio_view::main;
   projection_kind kind = projection_kind::perspective;
-  T oblique_angle = T(45), oblique_factor = cabinet_factor<T>;
+  T oblique_degrees = T(45), oblique_factor = cabinet_factor<T>;
 };
 /// A parallel projection along a direction: axonometries. The eye keeps its distance.
 template <Floating T>
@@ -268,13 +268,13 @@ constexpr void make_room(List& list) {
 template <class T>
 constexpr studio_status put_camera(studio_camera<T>& place, const studio_camera<T>& c) noexcept {
   const view_pyramid<T>& p = c.pyramid;
-  if (!is_finite(c.eye, c.target, c.up) || !is_finite(c.oblique_angle, c.oblique_factor))
+  if (!is_finite(c.eye, c.target, c.up) || !is_finite(c.oblique_degrees, c.oblique_factor))
     return studio_status::not_finite;
   const T away = length(c.target - c.eye);
   if (!(T(0) < away) || !is_finite(away)) return studio_status::eye_in_target;
   if (!(T(0) < p.width && T(0) < p.height && T(0) < p.distance && T(0) < p.near_distance) ||
       !is_finite(p.width, p.height, p.distance, p.far_distance) ||
-      !view_projection_checked(camera_of(c), p.width / p.height).is_ordinary())
+      !view_projection_checked(camera_of(c), p.width / p.height).ok())
     return studio_status::no_projection;
   place = c;
   return studio_status::done;
@@ -393,12 +393,13 @@ constexpr studio_status apply_event(studio<T>& s, const aim_camera<T>& e) noexce
 }
 template <Floating T>
 constexpr studio_status apply_event(studio<T>& s, const orbit_camera<T>& e) noexcept {
-  if (!is_finite(e.azimuth) || !is_finite(e.elevation) || !is_finite(e.factor)) return studio_status::not_finite;
+  if (!is_finite(e.azimuth_degrees) || !is_finite(e.elevation_degrees) || !is_finite(e.factor))
+    return studio_status::not_finite;
   studio_camera<T> c = s.of(e.view);
   polar_camera<T> polar = polar_of(look_at_frame(c.eye, c.target, c.up), length(c.target - c.eye));
   polar.target = c.target;
   polar.distance = polar.distance * e.factor;
-  const auto frame = try_frame_of(orbited(polar, radians(e.azimuth), radians(e.elevation)));
+  const auto frame = try_frame_of(orbited(polar, radians(e.azimuth_degrees), radians(e.elevation_degrees)));
   if (!frame) return studio_status::not_finite;
   c.eye = frame->position;
   c.up = frame->up;
@@ -409,7 +410,7 @@ constexpr studio_status apply_event(studio<T>& s, const set_projection<T>& e) no
   studio_camera<T> c = s.of(e.view);
   c.projection = e.kind;
   if (e.kind == projection_kind::oblique) {
-    c.oblique_angle = e.oblique_angle;
+    c.oblique_degrees = e.oblique_degrees;
     c.oblique_factor = e.oblique_factor;
   }
   return detail::put_camera(s.of(e.view), c);

@@ -113,12 +113,12 @@ struct studio_writer {
     const bool aims_first = in_perspective || length(c.target - c.eye) < T(1);
     line("aim", view, point<T, 3>{T(0), T(0), T(1)}, point<T, 3>{});
     line("pyramid", view, T(1), T(4), T(4), T(1), T(2));
-    line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
+    line("project", view, "oblique", c.oblique_degrees, c.oblique_factor);
     line("project", view, in_perspective ? "perspective" : "orthographic");
     if (aims_first) aim();
     line("pyramid", view, p.distance, p.width, p.height, p.near_distance, p.far_distance);
     if (!aims_first) aim();
-    if (c.projection == projection_kind::oblique) line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
+    if (c.projection == projection_kind::oblique) line("project", view, "oblique", c.oblique_degrees, c.oblique_factor);
     for (std::size_t i = 0; i < c.helpers.size(); ++i)
       line("helper", view, studio_helper_names[i], name_of(display_names, c.helpers[i]));
   }

@@ -106,7 +106,7 @@ template <class T>
 constexpr bool place_shape(mesh<T>& shape, const mat<T, 4, 4>& placement) {
   bool good = true;
   if (is_affine(placement)) {
-    shape = transform_mesh(std::move(shape), placement);
+    shape = transformed(std::move(shape), placement);
   } else {
     for (point<T, 3>& p : shape.positions) {
       const hpoint<T, 3> q = placement * p;
@@ -327,7 +327,7 @@ struct studio_drawing {
 
   constexpr void draw() {
     clear(picture, colours.background);
-    if (!projection.is_ordinary()) return;  // of a screen that is hardly a pixel wide, say
+    if (!projection.ok()) return;  // of a screen that is hardly a pixel wide, say
     clear(memory.depth, nearer_is_greater::farthest);
     prepare();
     opaque();
@@ -379,8 +379,8 @@ struct studio_drawing {
       const triangle_batch<T> batch[1] = {{&kept_of(made).vertices, made.body.triangles, 0, 0}};
       const std::span<const object_shading<T>> one(&o.shading, 1);
       const auto draw = [&](const auto& pixels) {
-        draw_batches(render_target{picture, memory.depth}, projected_triangles<T>{batch, mapping}, pixels,
-                     {.culling = o.culling, .workspace = &memory.workspace});
+        shade_batches(render_target{picture, memory.depth}, projected_triangles<T>{batch, mapping}, pixels,
+                      {.culling = o.culling, .workspace = &memory.workspace});
       };
       if (o.how == studio_shading::gouraud)
         draw(gouraud_pixels<encoded_light, T>{one});

@@ -163,7 +163,7 @@ struct studio_script_reader {
     else if (word == "cavalier" || word == "cabinet" || word == "oblique") {
       e.kind = projection_kind::oblique;
       if (word == "cavalier") e.oblique_factor = cavalier_factor<T>;
-      if ((word == "oblique" || cursor.skip_blanks()) && !number(e.oblique_angle)) return false;
+      if ((word == "oblique" || cursor.skip_blanks()) && !number(e.oblique_degrees)) return false;
       if (word == "oblique" && !number(e.oblique_factor)) return false;
     } else if (word != "perspective") {
       return cursor.fail(start, message);
@@ -237,7 +237,7 @@ struct studio_script_reader {
       });
     if (word == "orbit")
       return event<orbit_camera<T>>(out, viewed, [&](auto& e) {
-        return number(e.azimuth) && number(e.elevation) && (!cursor.skip_blanks() || number(e.factor));
+        return number(e.azimuth_degrees) && number(e.elevation_degrees) && (!cursor.skip_blanks() || number(e.factor));
       });
     if (word == "project") return projection(out);
     if (word == "pyramid")

@@ -58,7 +58,7 @@ public:
 
   /// Writes a picture; empty, or why it cannot be.
   std::string write_picture(const std::string& file, const irg::image<irg::rgba8>& picture) {
-    return wrote(file, irg::write_image(file, picture));
+    return wrote(file, irg::save_image(file, picture));
   }
 
   /// Removes the files that were written.
@@ -77,7 +77,7 @@ private:
       }
       case irg::studio_action::load: return load(file, c.name);
       case irg::studio_action::restore: {
-        const auto bytes = irg::read_file(file);
+        const auto bytes = irg::load_file(file);
         if (!bytes) return with_place(bytes.error(), file);
         auto s = irg::read_studio<double>(std::string_view(*bytes));
         if (!s) return with_place(s.error(), file);
@@ -87,19 +87,18 @@ private:
       case irg::studio_action::save: {
         auto bytes = irg::encode_studio(state_);
         if (!bytes) return bytes.error().message;
-        return wrote(file, irg::write_file_atomically(file, std::span<const std::uint8_t>(*bytes)));
+        return wrote(file, irg::save_file(file, std::span<const std::uint8_t>(*bytes)));
       }
       case irg::studio_action::picture: {
-        if (!irg::picture_format_of(file)) return "the picture's name must end in .png, .ppm or .svg: " + file;
+        if (!irg::image_format_of_name(file)) return "the picture's name must end in .png, .ppm or .svg: " + file;
         return write_picture(file, draw(c.view));
       }
     }
     return "";
   }
 
-  template <class Error>
-  std::string wrote(const std::string& file, const Error& error) {
-    if (error) return failed_ = std::string(error->message) + ": " + file;
+  std::string wrote(const std::string& file, const irg::result<void>& saved) {
+    if (!saved) return failed_ = std::string(saved.error().message) + ": " + file;
     written_.push_back(file);
     return "";
   }
@@ -110,7 +109,7 @@ private:
     if (std::optional<irg::mesh<double>> shape = built_in(file)) {
       bodies.push_back(irg::store_body(name.empty() ? irg::part_name(file) : name, *shape));
     } else {
-      const auto bytes = irg::read_file(file);
+      const auto bytes = irg::load_file(file);
       if (!bytes) return with_place(bytes.error(), file);
       const std::string_view text(*bytes);
       const std::size_t slash = file.find_last_of("/\\") + 1;

@@ -91,8 +91,7 @@ constexpr mat<T, 4, 4> studio_matrix(const studio_transformation<T>& t) noexcept
   const vec<T, 3> first{n[0], n[1], n[2]}, last{n[4], n[5], n[6]};
   const plane<T> onto{n[0], n[1], n[2], n[3]};
   const auto or_none = [](const auto& m) {
-    return m.is_ordinary() ? m.value
-                           : generate_mat<T, 4, 4>([](int, int) { return std::numeric_limits<T>::quiet_NaN(); });
+    return m.ok() ? m.value : generate_mat<T, 4, 4>([](int, int) { return std::numeric_limits<T>::quiet_NaN(); });
   };
   switch (t.kind) {
     case studio_map::translate: return translation(first);

@@ -61,7 +61,7 @@ inline void projection_rows(panel_rows& rows, const irg::studio<double>& s, cons
   for (int k = 0; k < 3; ++k)
     kinds.change(main_kinds[k].first, main_kinds[k].second, static_cast<int>(c.projection) == k,
                  start + main_kinds[k].first +
-                     (k == 2 ? words_of(std::array{c.oblique_angle, c.oblique_factor}) : std::string()));
+                     (k == 2 ? words_of(std::array{c.oblique_degrees, c.oblique_factor}) : std::string()));
   row_writer more(rows);
   more.skip(12);
   for (const char* kind : {"cavalier", "cabinet", "isometric", "dimetric", "trimetric"})
@@ -73,9 +73,9 @@ inline void projection_rows(panel_rows& rows, const irg::studio<double>& s, cons
       .label("oblique", 70)
       .reading("angle", 47)
       .value(
-          c.oblique_angle, 82, [&](double v) { return oblique(v, c.oblique_factor); }, by(5))
+          c.oblique_degrees, 82, [&](double v) { return oblique(v, c.oblique_factor); }, by(5))
       .reading("factor", 47)
-      .value(c.oblique_factor, 82, [&](double v) { return oblique(c.oblique_angle, v); }, by(0.1));
+      .value(c.oblique_factor, 82, [&](double v) { return oblique(c.oblique_degrees, v); }, by(0.1));
   const irg::view_pyramid<double>& p = c.pyramid;
   const std::array<double, 5> numbers{p.distance, p.width, p.height, p.near_distance, p.far_distance};
   row_writer names(rows);

@@ -164,10 +164,11 @@ private:
     return "";
   }
   std::string save(const std::string& file) {
-    if (!irg::picture_format_of(file)) return "the picture's name must end in .png, .ppm or .svg: " + file;
+    if (!irg::image_format_of_name(file)) return "the picture's name must end in .png, .ppm or .svg: " + file;
     if (one_file(file, map_file_)) return "the map would be overwritten: " + file;
     if (one_file(file, script_file_)) return "the script would be overwritten: " + file;
-    if (const auto error = irg::write_image(file, draw())) return failed_ = std::string(error->message) + ": " + file;
+    if (const auto saved = irg::save_image(file, draw()); !saved)
+      return failed_ = std::string(saved.error().message) + ": " + file;
     written_.push_back(file);
     return "";
   }
@@ -187,7 +188,7 @@ private:
       sight_ = sight_by(e, units, [&](const irg::cell3& u, const irg::cell3& c) {
         if (u.z != c.z) return sight::blocked;
         if (by_thesis_) return irg::textbook::sight_2d(layer{map_.grid, c.z}, {u.x, u.y}, {c.x, c.y});
-        return irg::see(map_.grid, u, c) ? sight::full : sight::blocked;
+        return irg::has_line_of_sight(map_.grid, u, c) ? sight::full : sight::blocked;
       });
     }
     build();

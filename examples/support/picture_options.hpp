@@ -48,12 +48,13 @@ inline bool one_file(const std::string& a, const std::string& b) {
 
 /// Refuses a picture's name whose ending names no kind of picture that can be written.
 inline void expect_picture_name(const command_line& line, const std::string& path) {
-  if (!irg::picture_format_of(path)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + path);
+  if (!irg::image_format_of_name(path)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + path);
 }
 
 /// Writes a picture, or ends the program.
 inline void write_picture(const command_line& line, const std::string& path, const irg::image<irg::rgba8>& picture) {
-  if (const auto error = irg::write_image(path, picture)) line.fail(std::string(error->message) + ": " + path);
+  if (const auto saved = irg::save_image(path, picture); !saved)
+    line.fail(std::string(saved.error().message) + ": " + path);
 }
 
 /// The options of programs that read numbers, print what they compute and draw it.

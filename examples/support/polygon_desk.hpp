@@ -131,9 +131,9 @@ private:
     is_closed_ = false;
   }
   void save() {
-    const auto error = irg::write_image(file_, draw());
-    if (error) sentence_ = std::string(error->message) + ": " + file_;
-    std::printf("%s%s\n", error ? "refused: " : "picture: ", error ? sentence_.c_str() : file_.c_str());
+    const auto saved = irg::save_image(file_, draw());
+    if (!saved) sentence_ = std::string(saved.error().message) + ": " + file_;
+    std::printf("%s%s\n", saved ? "picture: " : "refused: ", saved ? file_.c_str() : sentence_.c_str());
   }
 
   const Answers& answers_;

@@ -142,7 +142,7 @@ private:
 /// The faces of a body with one position for all that are equal, without what has no three corners then: of triangles
 /// that a file lists each by itself, neighbours are known.
 irg::mesh<double> joined(const irg::mesh<double>& shape) {
-  const irg::mesh<double> merged = irg::merge_positions(shape);
+  const irg::mesh<double> merged = irg::with_merged_positions(shape);
   irg::mesh<double> out;
   out.positions = merged.positions;
   std::vector<std::uint32_t> face;
@@ -235,20 +235,20 @@ void draw_scene(const command_line& line, const render_settings& s, const irg::s
     line.hint(s.eye || s.target
                   ? "the picture is empty: nothing of the model is in view; without --eye and --target all of it is"
                   : "the picture is empty: no face of the model shows");
-  const auto old_picture = irg::read_file(s.stats.empty() ? std::string() : s.out);
+  const auto old_picture = irg::load_file(s.stats.empty() ? std::string() : s.out);
   watch.lap();
-  if (s.hidden_line && !s.out.empty() && irg::picture_format_of(s.out) == irg::picture_format::svg) {
-    if (const auto error = irg::write_file_atomically(s.out, svg.text))
-      line.fail(std::string(error->message) + ": " + s.out);
+  if (s.hidden_line && !s.out.empty() && irg::image_format_of_name(s.out) == irg::image_format::svg) {
+    if (const auto saved = irg::save_file(s.out, svg.text); !saved)
+      line.fail(std::string(saved.error().message) + ": " + s.out);
   } else if (!s.out.empty()) {
     write_picture(line, s.out, picture);
   }
   ms.write = watch.lap();
   if (s.stats.empty()) return;
   const std::string json = stats_json(stats, ms, hash_of(picture));
-  if (const auto error = irg::write_file_atomically(s.stats, json)) {
-    if (!s.out.empty() && (!old_picture || irg::write_file_atomically(s.out, *old_picture))) std::remove(s.out.c_str());
-    line.fail(std::string(error->message) + ": " + s.stats);
+  if (const auto saved = irg::save_file(s.stats, json); !saved) {
+    if (!s.out.empty() && (!old_picture || !irg::save_file(s.out, *old_picture))) std::remove(s.out.c_str());
+    line.fail(std::string(saved.error().message) + ": " + s.stats);
   }
 }
 

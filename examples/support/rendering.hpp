@@ -220,7 +220,7 @@ inline irg::vec<double, 3> direction_of(const render_settings& s) {
 /// its target.
 inline irg::camera<double> placed_camera(const command_line& line, const render_settings& s,
                                          const irg::mesh<double>& shape) {
-  const auto ball = irg::sphere_around(shape);
+  const auto ball = irg::bounding_sphere_of(shape);
   const double angle = irg::radians(s.angle), aspect = static_cast<double>(s.size.width) / s.size.height;
   irg::camera<double> c;
   c.up = s.up;

@@ -23,7 +23,7 @@ inline std::string without_mark(std::string text) {
 inline std::string read_text(const command_line& line, const std::string& path, const char* what) {
   std::string text;
   if (!path.empty()) {
-    const auto file = irg::read_file(path);
+    const auto file = irg::load_file(path);
     if (!file) line.fail(with_place(file.error(), path));
     text.assign(file->data(), file->data() + file->size());
     return without_mark(std::move(text));

@@ -54,7 +54,7 @@ TEST_CASE("convert_pixel: between every two types, at compile time, too") {
 TEST_CASE("convert_pixel: gray keeps its level, light its code, and a detour changes nothing") {
   for (int level = 0; level < 256; ++level) {
     const auto g = static_cast<std::uint8_t>(level);
-    CHECK(irg::gray_level({g, g, g, 0}) == g);
+    CHECK(irg::grey_level({g, g, g, 0}) == g);
     CHECK(convert_pixel<std::uint8_t>(convert_pixel<light>(g)) == g);
   }
   test::random r(1);
@@ -65,7 +65,7 @@ TEST_CASE("convert_pixel: gray keeps its level, light its code, and a detour cha
     CHECK(convert_pixel<rgba8>(convert_pixel<own_pixels::argb>(convert_pixel<bgra8>(p))) == p);
     CHECK(convert_pixel<rgb8>(convert_pixel<light>(p)) == convert_pixel<rgb8>(p));
     const double gray = 0.299 * p.r + 0.587 * p.g + 0.114 * p.b;
-    const int level = irg::gray_level(p);
+    const int level = irg::grey_level(p);
     CHECK(level - gray <= 0.5 + 1e-9);
     CHECK(gray - level <= 0.5 + 1e-9);
   }

@@ -15,9 +15,9 @@ namespace {
 
 using P = irg::point<double, 2>;
 using M = irg::curve_meeting<double>;
-using enum irg::meetings_found;
+using enum irg::bezier_intersection_status;
 
-using meetings_result = irg::checked<std::size_t, irg::meetings_found>;
+using meetings_result = irg::checked<std::size_t, irg::bezier_intersection_status>;
 
 constexpr std::array<P, 3> arch{P{0, 0}, P{1, 2}, P{2, 0}}, bowl{P{0, 1}, P{1, -1}, P{2, 1}};
 
@@ -28,23 +28,23 @@ struct outcome {
 constexpr outcome of_arch_and_bowl(double tolerance) {
   outcome all;
   std::array<P, 18> scratch{};
-  all.result = irg::bezier_meetings(arch, bowl, {tolerance}, std::span<M>(all.room), scratch);
+  all.result = irg::bezier_intersections(arch, bowl, {tolerance}, std::span<M>(all.room), scratch);
   return all;
 }
 
 meetings_result meetings(const std::vector<P>& a, const std::vector<P>& b, const irg::meeting_search<double>& how,
                          std::vector<M>& room) {
   std::vector<P> scratch(3 * (a.size() + b.size()));
-  return irg::bezier_meetings(a, b, how, std::span<M>(room), std::span<P>(scratch));
+  return irg::bezier_intersections(a, b, how, std::span<M>(room), std::span<P>(scratch));
 }
 
 }  // namespace
 
-TEST_CASE("bezier_meetings: two parabolas meet twice") {
+TEST_CASE("bezier_intersections: two parabolas meet twice") {
   constexpr auto coarse = of_arch_and_bowl(0.01);
-  CHECK_BOTH(coarse.result == meetings_result{2, within_tolerance});
+  CHECK_BOTH(coarse.result == meetings_result{2, ok});
   const auto fine = of_arch_and_bowl(1e-8);
-  REQUIRE(fine.result == meetings_result{2, within_tolerance});
+  REQUIRE(fine.result == meetings_result{2, ok});
   // 4 t (1 - t) = 1 - 4 t (1 - t): t (1 - t) = 1/8
   const double low = (1 - std::sqrt(0.5)) / 2;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -56,39 +56,39 @@ TEST_CASE("bezier_meetings: two parabolas meet twice") {
   }
 }
 
-TEST_CASE("bezier_meetings: apart, touching, coincident, points, huge, not finite, no room") {
+TEST_CASE("bezier_intersections: apart, touching, coincident, points, huge, not finite, no room") {
   std::vector<M> room(16);
   const std::vector<P> a{{0, 0}, {1, 2}, {2, 0}}, above{{0, 1.5}, {2, 1.5}}, tangent{{0, 1}, {2, 1}}, one{{1, 1}};
-  CHECK(meetings(a, above, {}, room) == meetings_result{0, within_tolerance});
+  CHECK(meetings(a, above, {}, room) == meetings_result{0, ok});
   const auto touching = meetings(a, tangent, {1e-6}, room);
-  CHECK(touching == meetings_result{1, within_tolerance});
+  CHECK(touching == meetings_result{1, ok});
   CHECK(std::abs(room[0].first_middle() - 0.5) < 1e-3);
   const auto same = meetings(a, a, {1e-9}, room);
   CHECK(same.value >= 1);
-  CHECK(same.status != within_tolerance);
+  CHECK(same.status != ok);
   for (int k = 0; k <= 64; ++k)
     CHECK(std::any_of(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(same.value), [&](const M& m) {
       return m.first_from <= k / 64.0 && k / 64.0 <= m.first_to && m.second_from <= k / 64.0 && k / 64.0 <= m.second_to;
     }));
-  CHECK(meetings(a, one, {1e-8}, room) == meetings_result{1, within_tolerance});
+  CHECK(meetings(a, one, {1e-8}, room) == meetings_result{1, ok});
   const std::vector<P> brief{{1e-7 / 2, -1e-7}, {1e-7 / 2, 3e-7}};  // beside a curve ten million times as long
-  CHECK(meetings(a, brief, {1e-8}, room) == meetings_result{1, within_tolerance});
+  CHECK(meetings(a, brief, {1e-8}, room) == meetings_result{1, ok});
   CHECK(std::abs(room[0].first_middle() - 2.5e-8) < 1e-8);
   CHECK(meetings(one, one, {1e-9}, room).value == 1);
   CHECK(meetings(one, {{1, 2}}, {}, room).value == 0);
   const std::vector<P> up{{-1e308, -1e308}, {1e308, 1e308}}, down{{-1e308, 1e308}, {1e308, -1e308}};
-  CHECK(meetings(up, down, {1e300}, room) == meetings_result{1, within_tolerance});
+  CHECK(meetings(up, down, {1e300}, room) == meetings_result{1, ok});
   const double inf = std::numeric_limits<double>::infinity(), no_number = std::numeric_limits<double>::quiet_NaN();
-  CHECK(meetings(a, {{0, no_number}, {1, 1}}, {0, 1000}, room).status != within_tolerance);
-  CHECK(meetings(a, {{0, inf}, {1, 1}}, {0, 1000}, room).status != within_tolerance);
+  CHECK(meetings(a, {{0, no_number}, {1, 1}}, {0, 1000}, room).status != ok);
+  CHECK(meetings(a, {{0, inf}, {1, 1}}, {0, 1000}, room).status != ok);
   constexpr auto of_infinity = [] {
     const std::array<P, 3> endless{P{std::numeric_limits<double>::infinity(), 0}, P{1, 1}, P{2, 0}};
     const std::array<P, 2> line{P{0, 0}, P{1, 1}};
     std::array<P, 15> scratch{};
     std::array<irg::curve_meeting<double>, 2> found{};
-    return irg::bezier_meetings(endless, line, {0, 50}, found, scratch).status;
+    return irg::bezier_intersections(endless, line, {0, 50}, found, scratch).status;
   };
-  CHECK_BOTH(of_infinity() != irg::meetings_found::within_tolerance);
+  CHECK_BOTH(of_infinity() != irg::bezier_intersection_status::ok);
   std::vector<M> little(1);
   CHECK(meetings({arch.begin(), arch.end()}, {bowl.begin(), bowl.end()}, {1e-6}, little) ==
         meetings_result{1, too_many});
@@ -97,7 +97,7 @@ TEST_CASE("bezier_meetings: apart, touching, coincident, points, huge, not finit
   CHECK(room[0] == M{0, 1, 0, 1});
 }
 
-TEST_CASE("bezier_meetings: no common point is missed, and each meeting is as narrow as asked") {
+TEST_CASE("bezier_intersections: no common point is missed, and each meeting is as narrow as asked") {
   test::random r(91);
   long meant = 0, missed = 0, loose = 0, within = 0;
   for (int round = 0; round < (std::getenv("IRG_RELEASE_TIER") ? 20'000 : 120); ++round) {
@@ -124,7 +124,7 @@ TEST_CASE("bezier_meetings: no common point is missed, and each meeting is as na
     missed += std::none_of(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(result.value), [&](const M& m) {
       return m.first_from <= s && s <= m.first_to && m.second_from <= t && t <= m.second_to;
     });
-    if (result.status != within_tolerance) continue;
+    if (result.status != ok) continue;
     ++within;
     for (std::size_t k = 0; k < result.value; ++k) {
       const P p = irg::bezier_point(a, room[k].first_middle(), std::span<P>(work));

@@ -33,14 +33,15 @@ constexpr irg::nearest_place<P> nearest_to(const P& p) {
 constexpr int crossings_of(const P& a, const P& b) {
   std::array<C, 16> scratch{};
   int count = 0;
-  const bool is_line = irg::bezier_line_crossings(arch, a, b, scratch, [&](const Z& z) { count += z.is_crossing(); });
+  const bool is_line =
+      irg::bezier_line_intersections(arch, a, b, scratch, [&](const Z& z) { count += z.is_crossing(); });
   return is_line ? count : -1;
 }
 
 std::vector<Z> crossings(const std::vector<P>& curve, const P& a, const P& b) {
   std::vector<C> scratch(4 * curve.size());
   std::vector<Z> all;
-  irg::bezier_line_crossings(curve, a, b, scratch, [&](const Z& z) { all.push_back(z); });
+  irg::bezier_line_intersections(curve, a, b, scratch, [&](const Z& z) { all.push_back(z); });
   return all;
 }
 
@@ -66,7 +67,7 @@ std::vector<P> make_curve(test::random& r, bool mixed) {
 
 }  // namespace
 
-TEST_CASE("bezier_box, bezier_nearest, bezier_line_crossings: reference values") {
+TEST_CASE("bezier_box, bezier_nearest, bezier_line_intersections: reference values") {
   constexpr auto box = box_of_arch();
   CHECK_BOTH(box.low == P{0, 0});
   CHECK_BOTH((box.high.x == 4 && box.high.y >= 3 && box.high.y < 3.0000000000001));
@@ -122,7 +123,7 @@ TEST_CASE("bezier_nearest: a curve that is the point itself, in constant evaluat
   CHECK_BOTH(distance_from_itself() == 0);
 }
 
-TEST_CASE("bezier_line_crossings: the largest and the smallest numbers") {
+TEST_CASE("bezier_line_intersections: the largest and the smallest numbers") {
   constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
   const auto found = crossings({{-most, -most}, {most, most}}, P{-most, most}, P{most, -most});
   REQUIRE(found.size() == 1);
@@ -226,7 +227,7 @@ int exact_side(const std::vector<P>& c, const P& a, const P& b, double t) {
 
 }  // namespace
 
-TEST_CASE("bezier_line_crossings: no crossing is missed and every sign is right, in rationals") {
+TEST_CASE("bezier_line_intersections: no crossing is missed and every sign is right, in rationals") {
   test::random r(43);
   long found = 0, missed = 0, wrong = 0;
   for (int round = 0; round < (std::getenv("IRG_RELEASE_TIER") ? 10'000 : 150); ++round) {

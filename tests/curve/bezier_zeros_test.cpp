@@ -21,14 +21,14 @@ constexpr Z only_zero(double a, double b, double c) {
   std::array<C, 9> scratch{};
   Z found{};
   int count = 0;
-  irg::bernstein_zeros(std::span<const C>(coefficients), 0.0, scratch, [&](const Z& z) { found = z, ++count; });
+  irg::bernstein_roots(std::span<const C>(coefficients), 0.0, scratch, [&](const Z& z) { found = z, ++count; });
   return count == 1 ? found : Z{-1, -1, count, 9};
 }
 
 std::vector<Z> zeros(const std::vector<C>& coefficients, double uncertainty) {
   std::vector<C> scratch(3 * coefficients.size());
   std::vector<Z> all;
-  irg::bernstein_zeros(std::span<const C>(coefficients), uncertainty, scratch, [&](const Z& z) { all.push_back(z); });
+  irg::bernstein_roots(std::span<const C>(coefficients), uncertainty, scratch, [&](const Z& z) { all.push_back(z); });
   return all;
 }
 
@@ -64,7 +64,7 @@ std::vector<C> with_roots(const std::vector<double>& roots, double& off) {
 
 }  // namespace
 
-TEST_CASE("bernstein_zeros: reference values, no zero, touching, zero all along, what is not finite") {
+TEST_CASE("bernstein_roots: reference values, no zero, touching, zero all along, what is not finite") {
   constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   constexpr Z at_third = only_zero(-1, 0.5, 2);  // a straight line
   CHECK_BOTH(at_third.is_crossing());
@@ -90,7 +90,7 @@ TEST_CASE("bernstein_zeros: reference values, no zero, touching, zero all along,
   CHECK(zeros({C{3}}, 0).empty());
 }
 
-TEST_CASE("bernstein_zeros: no root is missed, simple ones are found apart") {
+TEST_CASE("bernstein_roots: no root is missed, simple ones are found apart") {
   test::random r(19);
   long simple = 0, multiple = 0, missed = 0, wide = 0, extra = 0;
   for (int round = 0; round < (std::getenv("IRG_RELEASE_TIER") ? 300'000 : 3000); ++round) {
@@ -125,7 +125,7 @@ TEST_CASE("bernstein_zeros: no root is missed, simple ones are found apart") {
   CHECK(simple > 500);
 }
 
-TEST_CASE("bernstein_zeros: the work is bounded, whatever the coefficients") {
+TEST_CASE("bernstein_roots: the work is bounded, whatever the coefficients") {
   test::random r(20);
   for (int round = 0; round < 200; ++round) {
     std::vector<C> c;

@@ -119,8 +119,8 @@ TEST_CASE("check_knots with a degree at hand") {
   const auto verdict = [](const std::vector<double>& u, int degree) {
     return irg::check_knots(std::span<const double>(u), degree);
   };
-  using enum irg::knots_error;
-  CHECK(verdict({0, 0, 1, 1}, 1) == none);
+  using enum irg::knots_status;
+  CHECK(verdict({0, 0, 1, 1}, 1) == ok);
   CHECK(verdict({0, 0, 1, 1}, -1) == negative_degree);
   CHECK(verdict({0, 0, 1, 1}, (std::numeric_limits<int>::min)()) == negative_degree);
   CHECK(verdict({0, 0, 1, 1}, 2) == too_few);

@@ -66,7 +66,7 @@ TEST_CASE("bspline_interpolate: through every point, whatever the spacing") {
     REQUIRE(knots);
     std::vector<P> control(size);
     const auto fit = irg::bspline_interpolate(*knots, d.places, std::span<const P>(d.points), control);
-    REQUIRE(fit.status == bspline_fit_status::done);
+    REQUIRE(fit.status == bspline_fit_status::ok);
     double largest = 0;
     for (const P& c : control) largest = std::fmax(largest, irg::length(c - P{}));
     worst = std::fmax(worst, fit.value / largest * 0x1p53);
@@ -91,7 +91,7 @@ TEST_CASE("bspline_least_squares: a spline comes back from points on it; more co
     for (std::size_t k = 0; k < 80; ++k) d.points[k] = *irg::bspline_point(knots, control, d.places[k], scratch);
     for (const auto ends : {irg::fit_ends::through, irg::fit_ends::free}) {
       const auto fit = irg::bspline_least_squares(knots, d.places, std::span<const P>(d.points), ends, back);
-      REQUIRE(fit.status == bspline_fit_status::done);
+      REQUIRE(fit.status == bspline_fit_status::ok);
       CHECK(fit.value < 1e-14);
       for (std::size_t i = 0; i < count; ++i) CHECK(irg::length(back[i] - control[i]) < 1e-12);
     }
@@ -111,7 +111,7 @@ TEST_CASE("bspline_least_squares: no other control points are better: the residu
     const auto knots = *irg::make_bspline_knots(std::span<const double>(d.knots), degree);
     std::vector<P> control(count);
     REQUIRE(irg::bspline_least_squares(knots, d.places, std::span<const P>(d.points), irg::fit_ends::free, control)
-                .status == bspline_fit_status::done);
+                .status == bspline_fit_status::ok);
     std::vector<test::big_rational> sum(count, test::big_rational(0));
     std::vector<double> values(static_cast<std::size_t>(degree) + 1);
     for (std::size_t k = 0; k < d.points.size(); ++k) {
@@ -154,7 +154,7 @@ TEST_CASE("fits that there are not") {
   const auto status = [&](std::vector<double> places) {
     return irg::bspline_interpolate(knots, places, std::span<const P>(points), result).status;
   };
-  CHECK(status({0, 0.3, 0.7, 1}) == bspline_fit_status::done);
+  CHECK(status({0, 0.3, 0.7, 1}) == bspline_fit_status::ok);
   CHECK(status({0, 0.7, 0.3, 1}) == bspline_fit_status::not_rising);
   CHECK(status({0, 0.3, 0.7, 1.5}) == bspline_fit_status::not_rising);
   CHECK(status({-0.5, 0.3, 0.7, 1}) == bspline_fit_status::not_rising);
@@ -162,7 +162,7 @@ TEST_CASE("fits that there are not") {
   CHECK(status({0, 0.3, 0.3, 1}) == bspline_fit_status::undetermined);  // two points at one place
   CHECK(status({0, 0, 0.3, 1}) == bspline_fit_status::undetermined);
   CHECK(status({0, 0.1, 0.2, 0.3}) == bspline_fit_status::undetermined);  // the last function is 0 at all of them
-  CHECK(status({0.1, 0.2, 0.6, 0.9}) == bspline_fit_status::done);
+  CHECK(status({0.1, 0.2, 0.6, 0.9}) == bspline_fit_status::ok);
   constexpr double most = std::numeric_limits<double>::max();
   const std::vector<P> usual = points;
   points = {{most, most}, {-most, most}, {most, -most}, {-most, most}};
@@ -192,13 +192,13 @@ TEST_CASE("fits that there are not") {
   for (std::size_t k = 0; k < 100; ++k) hundred[k] = static_cast<double>(k) / 99;
   for (const auto ends : {irg::fit_ends::through, irg::fit_ends::free}) {
     const auto fit = irg::bspline_least_squares(knots, hundred, std::span<const P>(distant), ends, result);
-    CHECK(fit.status == bspline_fit_status::done);
+    CHECK(fit.status == bspline_fit_status::ok);
     CHECK(fit.value <= most * 0x1p-48);
   }
   // Equal points one after another are no harm to least squares.
   const std::vector<P> more{{0, 0}, {0, 0}, {1, 1}, {2, 1}, {2, 1}, {3, 0}};
   const std::vector<double> six{0, 0, 0.3, 0.7, 0.7, 1};
   CHECK(irg::bspline_least_squares(knots, six, std::span<const P>(more), irg::fit_ends::through, result).status ==
-        bspline_fit_status::done);
+        bspline_fit_status::ok);
   CHECK(result[0] == P{0, 0});
 }

@@ -63,7 +63,7 @@ constexpr std::array<piece, 3> pieces_of_hill() {
   return result;
 }
 
-irg::knots_error inserted(const std::vector<double>& list) {
+irg::knots_status inserted(const std::vector<double>& list) {
   std::vector<double> merged(clamped.size() + list.size());
   return irg::insert_knots(knots, list, merged);
 }
@@ -83,9 +83,9 @@ TEST_CASE("bspline_refine, bspline_bezier_pieces and bspline_elevate: values by 
 }
 
 TEST_CASE("insert_knots: what cannot be inserted; bspline_refine: knots that are no refinement") {
-  using enum irg::knots_error;
-  CHECK(inserted({}) == irg::knots_error::none);
-  CHECK(inserted({0.5, 1, 1, 2.5}) == irg::knots_error::none);
+  using enum irg::knots_status;
+  CHECK(inserted({}) == irg::knots_status::ok);
+  CHECK(inserted({0.5, 1, 1, 2.5}) == irg::knots_status::ok);
   CHECK(inserted({1, 1, 1}) == too_many_equal);
   CHECK(inserted({0}) == too_many_equal);
   CHECK(inserted({2, 1}) == decreasing);
@@ -183,7 +183,7 @@ TEST_CASE("knots inserted and degrees raised: new control points stay in the box
       points += static_cast<long>(result.size());
     };
     std::vector<double> merged(s.u.size() + more.size());
-    if (irg::insert_knots(*u, more, merged) == irg::knots_error::none) {
+    if (irg::insert_knots(*u, more, merged) == irg::knots_status::ok) {
       const auto refined = *irg::make_bspline_knots(std::span<const double>(merged), u->degree());
       std::vector<P> result(refined.size());
       CHECK(irg::bspline_refine(*u, s.points, refined, std::span<P>(result), scratch));
@@ -253,7 +253,7 @@ TEST_CASE("knots inserted, pieces and degrees raised: the same curve, in rationa
     std::sort(more.begin(), more.end());
     std::vector<double> merged(s.u.size() + more.size()), raised(2 * s.u.size() + 2);
     std::vector<P> refined_points, elevated_points;
-    if (irg::insert_knots(*u, more, merged) == irg::knots_error::none) {
+    if (irg::insert_knots(*u, more, merged) == irg::knots_status::ok) {
       const auto refined = *irg::make_bspline_knots(std::span<const double>(merged), u->degree());
       refined_points.resize(refined.size());
       irg::bspline_refine(*u, s.points, refined, std::span<P>(refined_points), scratch);

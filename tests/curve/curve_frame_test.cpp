@@ -33,7 +33,7 @@ double twist_error(double a, double b, int n) {
   curve_frame<frame_vector> f = *frenet_frame(helix(a, b, 0, 1), helix(a, b, 0, 2));
   for (int k = 1; k <= n; ++k) {
     const double t = end * k / n, before = end * (k - 1) / n;
-    f = rotation_minimising_frame(f, helix(a, b, t, 0) - helix(a, b, before, 0), helix(a, b, t, 1));
+    f = rotation_minimizing_frame(f, helix(a, b, t, 0) - helix(a, b, before, 0), helix(a, b, t, 1));
     CHECK(is_orthonormal(f));
   }
   const auto frenet = *frenet_frame(helix(a, b, end, 1), helix(a, b, end, 2));
@@ -68,7 +68,7 @@ TEST_CASE("curve frame: turns as little as possible, with the fourth power of th
   curve_frame<frame_vector> f = *frame_with_up(frame_vector{1, 1, 0}, frame_vector{0, 0, 1});
   for (int k = 1; k <= 50; ++k) {
     const double t = k * 0.2;
-    f = rotation_minimising_frame(f, {0.2, std::sin(t) - std::sin(t - 0.2), 0}, {1, std::cos(t), 0});
+    f = rotation_minimizing_frame(f, {0.2, std::sin(t) - std::sin(t - 0.2), 0}, {1, std::cos(t), 0});
     CHECK(length(f.normal - frame_vector{0, 0, 1}) <= 1e-14);
   }
 }
@@ -86,13 +86,13 @@ TEST_CASE("curve frame: degenerate and hostile input") {
   CHECK(!frame_with_up(frame_vector{}, frame_vector{0, 1, 0}));
   for (const frame_vector& up : {frame_vector{0, 3, 0}, frame_vector{}, frame_vector{infinite, 0, 0}})
     CHECK(is_orthonormal(*frame_with_up(frame_vector{0, 2, 0}, up)));
-  CHECK(rotation_minimising_frame(start, {1, 0, 0}, frame_vector{}) == start);
-  CHECK(rotation_minimising_frame(start, {1, 0, 0}, {1, 0, 0}) == start);
-  CHECK(rotation_minimising_frame(start, frame_vector{}, {1, 0, 0}) == start);
-  CHECK(rotation_minimising_frame(start, frame_vector{}, {0, 1, 0}).tangent == frame_vector{0, 1, 0});
-  CHECK(rotation_minimising_frame(start, frame_vector{}, {0, 1, 0}).binormal == frame_vector{0, 0, 1});
-  CHECK(is_orthonormal(rotation_minimising_frame(start, frame_vector{}, {-1, 0, 0})));
-  CHECK(is_orthonormal(rotation_minimising_frame(start, {1e300, 1e300, 0}, {1e-300, 0, 1e-300})));
+  CHECK(rotation_minimizing_frame(start, {1, 0, 0}, frame_vector{}) == start);
+  CHECK(rotation_minimizing_frame(start, {1, 0, 0}, {1, 0, 0}) == start);
+  CHECK(rotation_minimizing_frame(start, frame_vector{}, {1, 0, 0}) == start);
+  CHECK(rotation_minimizing_frame(start, frame_vector{}, {0, 1, 0}).tangent == frame_vector{0, 1, 0});
+  CHECK(rotation_minimizing_frame(start, frame_vector{}, {0, 1, 0}).binormal == frame_vector{0, 0, 1});
+  CHECK(is_orthonormal(rotation_minimizing_frame(start, frame_vector{}, {-1, 0, 0})));
+  CHECK(is_orthonormal(rotation_minimizing_frame(start, {1e300, 1e300, 0}, {1e-300, 0, 1e-300})));
 }
 
 TEST_CASE("curve frame: parallel derivatives are told from nearly parallel ones") {

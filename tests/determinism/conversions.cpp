@@ -32,7 +32,7 @@ constexpr std::uint64_t conversions(int rounds) {
     const irg::vec<float, 4> v{rounded(a[0]), rounded(a[1]), rounded(a[2]), rounded(a[3])};
     const irg::vec<float, 4> w{rounded(a[4] / 3), rounded(a[5] / 3), rounded(a[6] / 3), rounded(a[7] / 3)};
     h.add(widened_again(length(v)) + widened_again(length(w)));
-    const auto n = try_normalize(v), m = try_normalize(w);
+    const auto n = try_normalized(v), m = try_normalized(w);
     if (n && m) {
       for (int k = 0; k < 4; ++k) h.add(widened_again((*n)[k]) * 3 + widened_again((*m)[k]));
     }

@@ -30,7 +30,7 @@ constexpr std::uint64_t clipping(int rounds) {
   const std::vector<P> hexagon{{T(2), T(0.1)}, {T(1), T(1.7)},   {T(-1), T(1.8)},
                                {T(-2), T(0)},  {T(-1), T(-1.7)}, {T(1), T(-1.9)}};
   for (int i = 0; i < rounds; ++i) {
-    const auto window = irg::enclosing_box(irg::enclosing_box(irg::box<T, 2>{}, place()), place());
+    const auto window = irg::bounding_box(irg::bounding_box(irg::box<T, 2>{}, place()), place());
     const P a = place(), b = place(), c = place(), d = place();
     for (const auto& kept : {clip_line_liang_barsky(a, b, window), clip_line_cohen_sutherland(b, a, window),
                              clip_line_nicholl_lee_nicholl(a, c, window), irg::clip_line_cyrus_beck(a, b, hexagon)}) {
@@ -40,7 +40,7 @@ constexpr std::uint64_t clipping(int rounds) {
     const std::vector<P> polygon{a, b, c, d};
     for (const P& p : clip_sutherland_hodgman(polygon, window)) add(p);
     for (const P& p : clip_sutherland_hodgman(polygon, hexagon)) add(p);
-    for (const auto& ring : polygon_overlay(polygon, hexagon).rings)
+    for (const auto& ring : polygon_boolean(polygon, hexagon).rings)
       for (const P& p : ring) add(p);
   }
   return h.value();

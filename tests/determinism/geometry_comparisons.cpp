@@ -73,8 +73,8 @@ constexpr std::uint64_t geometry_orient2d_batch(int rounds) {
     for (int k = 0; k < 3; ++k)
       for (std::size_t j = 0; j < n; ++j) x[k][j] = number(r, i), y[k][j] = number(r, i);
     std::array<std::int8_t, n> signs{}, line_signs{};
-    h.add(irg::orient2d_batch({x[0], y[0]}, {x[1], y[1]}, {x[2], y[2]}, signs));
-    h.add(irg::orient2d_batch(P2{x[0][0], y[0][0]}, P2{x[1][0], y[1][0]}, irg::point_columns{x[2], y[2]}, line_signs));
+    h.add(irg::orient2d_all({x[0], y[0]}, {x[1], y[1]}, {x[2], y[2]}, signs));
+    h.add(irg::orient2d_all(P2{x[0][0], y[0][0]}, P2{x[1][0], y[1][0]}, irg::point_columns{x[2], y[2]}, line_signs));
     for (std::size_t j = 0; j < n; ++j) h.add(signs[j]), h.add(line_signs[j]);
   }
   return h.value();

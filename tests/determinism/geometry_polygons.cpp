@@ -63,7 +63,7 @@ constexpr std::uint64_t geometry_polygon_shapes(int rounds) {
     h.add(static_cast<int>(irg::polygons_overlap(convex, std::array{other[0], other[1], other[2]})));
     for (const auto& t : irg::triangulate_ear_clipping(ring)) h.add(t[0] + 10 * t[1] + 100 * t[2]);
     const auto sweep = irg::triangulate_monotone(ring);
-    h.add(static_cast<int>(sweep.state));
+    h.add(static_cast<int>(sweep.status));
     for (const auto& t : sweep.triangles) h.add(t[0] + 10 * t[1] + 100 * t[2]);
     const auto parts = irg::split_polygon(convex, other[0], other[1]);
     h.add(static_cast<int>(parts.side));

@@ -64,14 +64,14 @@ constexpr std::uint64_t hidden_back_faces(int rounds) {
     for (int k = 0; k < 3; ++k) m.positions.push_back({number(), number(), number()});
     irg::add_face(m, std::array{0, 1, 2});
     const irg::point<double, 3> eye{number(), number(), number()};
-    h.add(static_cast<int>(irg::side_of_face(m, 0, irg::hpoint<double, 3>{eye.x, eye.y, eye.z, i % 3 ? 1.0 : 0.0})));
+    h.add(static_cast<int>(irg::facing_of(m, 0, irg::hpoint<double, 3>{eye.x, eye.y, eye.z, i % 3 ? 1.0 : 0.0})));
     h.add(irg::textbook::mixed_product(m.positions[0], m.positions[1], m.positions[2], eye.z));
     const irg::vec<double, 3> n = irg::textbook::face_normal(m.positions[0], m.positions[1], m.positions[2]);
-    h.add(static_cast<int>(irg::side_by_angle(n, m.positions[0], eye)));
+    h.add(static_cast<int>(irg::facing_by_angle(n, m.positions[0], eye)));
     const irg::point<double, 2> flat[] = {{m.positions[0].x, m.positions[0].y},
                                           {m.positions[1].x, m.positions[1].y},
                                           {m.positions[2].x, m.positions[2].y}};
-    h.add(static_cast<int>(irg::side_by_order(flat)));
+    h.add(static_cast<int>(irg::facing_by_order(flat)));
     h.add(irg::textbook::is_back_by_edges(flat) ? 1 : 0);
   }
   return h.value();

@@ -70,8 +70,8 @@ constexpr std::uint64_t triangles(int rounds) {
     const auto a = random_vertex(r, width, height), b = random_vertex(r, width, height),
                c = random_vertex(r, width, height);
     const auto at0 = light(), at1 = light(), at2 = light();
-    counts += irg::draw_triangle<Order>(colour, depth, {a, b, c},
-                                        irg::vertex_colour_shader<irg::rgba8, encode_srgb>{at0, at1, at2, {}});
+    counts += irg::shade_triangle<Order>(colour, depth, {a, b, c},
+                                         irg::vertex_colour_shader<irg::rgba8, encode_srgb>{at0, at1, at2, {}});
   }
   add(h, colour, depth);
   h.add(counts.tested);

@@ -33,7 +33,7 @@ constexpr std::uint64_t pictures(irg::picture_style style, int rounds) {
   world.lights = {{{T(1), T(2), T(3), T(0)}, {T(1), T(1), T(1)}},
                   {{T(-3), T(4), T(1), T(1)}, {T(0.5), T(0.25), T(0.125)}}};
   world.ambient = {T(0.3), T(0.3), T(0.4)};
-  const auto ball = irg::sphere_around(world.objects[0].shape);
+  const auto ball = irg::bounding_sphere_of(world.objects[0].shape);
   for (int i = 0; i < rounds; ++i) {
     world.view = irg::camera_around(ball.centre, ball.radius / T(1 << i), irg::vec<T, 3>{T(1), T(0.8), T(1.6)}, T(0.7),
                                     static_cast<T>(width) / static_cast<T>(height));
@@ -82,13 +82,13 @@ constexpr std::uint64_t render_textbook(int rounds) {
     }
     irg::image<irg::rgba8> picture(size, size);
     irg::image<float> depth(size, size, 0.0f);
-    irg::textbook::draw_triangles(corners, irg::perspective(1.25, 1.0, 0.5, 9.0), picture, depth,
-                                  [](std::size_t n, const irg::pixel_weights<float>& at) {
-                                    const auto channel = [](float v) { return static_cast<std::uint8_t>(v); };
-                                    return irg::rgba8{channel(irg::product(at.weight1, 255.0f)),
-                                                      channel(irg::product(at.weight2, 255.0f)),
-                                                      static_cast<std::uint8_t>(n), 255};
-                                  });
+    irg::textbook::shade_triangles(corners, irg::perspective(1.25, 1.0, 0.5, 9.0), picture, depth,
+                                   [](std::size_t n, const irg::pixel_weights<float>& at) {
+                                     const auto channel = [](float v) { return static_cast<std::uint8_t>(v); };
+                                     return irg::rgba8{channel(irg::product(at.weight1, 255.0f)),
+                                                       channel(irg::product(at.weight2, 255.0f)),
+                                                       static_cast<std::uint8_t>(n), 255};
+                                   });
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {
         h.add(picture(x, y));

@@ -83,8 +83,8 @@ constexpr std::uint64_t render_textures_and_glass(int rounds) {
     const std::span<const irg::triangle_indices> all(s.triangles);
     const irg::triangle_batch<double> opaque[1] = {{&projected, all.first(all.size() / 2)}},
                                       glass[1] = {{&projected, all.subspan(all.size() / 2)}};
-    irg::draw_batches(irg::render_target{colour, depth}, {opaque, mapping}, irg::textured_shading{objects, textures},
-                      settings);
+    irg::shade_batches(irg::render_target{colour, depth}, {opaque, mapping}, irg::textured_shading{objects, textures},
+                       settings);
     irg::draw_transparent(
         irg::render_target{colour, depth}, {glass, mapping},
         [](const irg::triangle_batch<double>&, std::uint32_t t, irg::facing side) {

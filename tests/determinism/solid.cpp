@@ -42,7 +42,7 @@ constexpr std::uint64_t combined(int rounds) {
   determinism::hasher h;
   for (int i = 0; i < rounds; ++i) {
     const irg::mesh<T> a = tetrahedron<T>(r), b = tetrahedron<T>(r);
-    for (const auto operation : {irg::boolean_operation::unite, irg::boolean_operation::difference})
+    for (const auto operation : {irg::boolean_operation::union_, irg::boolean_operation::difference})
       add_mesh(h, irg::solid_boolean(a, b, operation).value);
   }
   return h.value();
@@ -61,8 +61,9 @@ constexpr std::uint64_t trees(int rounds) {
   for (int i = 0; i < rounds; ++i) {
     irg::csg_tree<T> tree(tetrahedron<T>(r));
     for (int k = 0; k < 4; ++k)
-      tree = irg::combine(tree, irg::csg_tree<T>(tetrahedron<T>(r)), static_cast<irg::boolean_operation>(2 + k % 2));
-    add_mesh(h, irg::mesh_of(tree).value);
+      tree =
+          irg::csg_boolean(tree, irg::csg_tree<T>(tetrahedron<T>(r)), static_cast<irg::boolean_operation>(2 + k % 2));
+    add_mesh(h, irg::to_mesh(tree).value);
     const irg::csg_spans<T> through(tree);
     for (int k = 0; k < 8; ++k) {
       const irg::point<T, 3> from = any_place<T>(r), to = any_place<T>(r);
@@ -82,7 +83,7 @@ constexpr std::uint64_t mesh_half_edges(int rounds) {
   for (int i = 0; i < rounds; ++i) {
     const auto b = irg::to_half_edges(irg::shape_torus<double>({.major_segments = 3 + i, .minor_segments = 3})).value;
     for (const auto& e : b.half_edges) h.add(e.next), h.add(e.origin);
-    add_mesh(h, irg::from_half_edges(b));
+    add_mesh(h, irg::to_mesh(b));
   }
   return h.value();
 }

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::check_place(text, read.error());
     return 0;
   }
-  fuzz::check_mesh<double>(text, irg::mesh_of_bodies(*read));
+  fuzz::check_mesh<double>(text, irg::to_mesh(*read));
   const auto again = irg::read_body_xml<double>(fuzz::bytes_of(irg::encode_body_xml(*read)));
   fuzz::require(again.has_value() && *again == *read);
   return 0;

@@ -46,7 +46,7 @@ bool check_mesh(std::string_view text, const irg::result<irg::mesh<T>>& read) {
     return false;
   }
   require(irg::validate(*read).defect == irg::mesh_defect::none);
-  const irg::mesh<T> triangles = irg::triangulate(*read);
+  const irg::mesh<T> triangles = irg::triangulated(*read);
   require(irg::validate(triangles).defect == irg::mesh_defect::none);
   require(triangles.face_count() == read->corners.size() - 2 * read->face_count());
   require(triangles.positions == read->positions);

@@ -42,16 +42,16 @@ constexpr std::array<P3, 4> body{P3{2, 0, 0}, P3{6, 2, 0}, P3{2, 8, 3}, P3{4, 1,
 
 TEST_CASE("box: type facts") {
   static_assert(std::is_trivially_copyable_v<box<float, 3>>);
-  static_assert(std::is_same_v<decltype(enclosing_box(body)), box<double, 3>>);
-  static_assert(noexcept(enclosing_box(body)));
+  static_assert(std::is_same_v<decltype(bounding_box(body)), box<double, 3>>);
+  static_assert(noexcept(bounding_box(body)));
 }
 
 TEST_CASE("box: extents, centre and size, golden") {
-  constexpr auto b = enclosing_box(body);
+  constexpr auto b = bounding_box(body);
   CHECK_BOTH(b == box<double, 3>{{2, 0, -1}, {6, 8, 3}});
-  CHECK_BOTH(size(b) == vec<double, 3>{4, 8, 4});
+  CHECK_BOTH(extent(b) == vec<double, 3>{4, 8, 4});
   CHECK_BOTH(centre(b) == P3{4, 4, 1});
-  CHECK_BOTH(sphere_around(b).radius * sphere_around(b).radius - 24 < 1e-14);
+  CHECK_BOTH(bounding_sphere_of(b).radius * bounding_sphere_of(b).radius - 24 < 1e-14);
   CHECK_BOTH(corner(b, 0) == b.low);
   CHECK_BOTH(corner(b, 7) == b.high);
   CHECK_BOTH(corner(b, 5) == P3{6, 0, 3});
@@ -66,6 +66,18 @@ TEST_CASE("box: minimax, golden") {
   CHECK_BOTH(!overlap(a, box2{{2, 0}, {3, 1}}, open));
   CHECK_BOTH(overlap(a, box2{{1, 1}, {3, 3}}, open));
   CHECK_BOTH(!overlap(box2{{0, 0}, {4, 1}}, box2{{0, 2}, {4, 3}}));
+}
+
+TEST_CASE("box: what two boxes share") {
+  constexpr box2 a{{0, 0}, {2, 2}};
+  CHECK_BOTH(intersect(a, box2{{1, -1}, {3, 1}}) == box2{{1, 0}, {2, 1}});
+  CHECK_BOTH(intersect(a, a) == a);
+  CHECK_BOTH(intersect(a, box2{{2, 0}, {3, 1}}) == box2{{2, 0}, {2, 1}});  // they touch
+  CHECK_BOTH(is_empty(intersect(a, box2{{3, 0}, {4, 1}})));
+  CHECK_BOTH(is_empty(intersect(a, box2{})));
+  CHECK_BOTH(is_empty(intersect(a, box2{{nan_, 0}, {1, 1}})));
+  CHECK_BOTH(intersect(box2{{-inf, -inf}, {inf, inf}}, a) == a);
+  CHECK_BOTH(is_empty(intersect(box<fraction, 2>{}, box<fraction, 2>{})));
 }
 
 TEST_CASE("box: minimax of flat boxes") {
@@ -83,20 +95,20 @@ TEST_CASE("box: empty") {
   CHECK_BOTH(is_empty(none));
   CHECK_BOTH(is_empty(box<int, 3>{}));
   CHECK_BOTH(is_empty(box<fraction, 2>{}));
-  CHECK_BOTH(is_empty(enclosing_box(std::array<P2, 0>{})));
+  CHECK_BOTH(is_empty(bounding_box(std::array<P2, 0>{})));
   CHECK_BOTH(is_empty(box2{{0, 0}, {nan_, 1}}));
   CHECK_BOTH(is_empty(box2{{0, 2}, {1, 1}}));
   CHECK_BOTH(!overlap(none, box2{{-inf, -inf}, {inf, inf}}));
   CHECK_BOTH(!overlap(none, none));
   CHECK_BOTH(!contains(none, P2{0, 0}));
-  CHECK_BOTH(size(none) == vec<double, 2>{});
-  CHECK_BOTH(enclosing_box(none, box2{{1, 2}, {3, 4}}) == box2{{1, 2}, {3, 4}});
-  CHECK_BOTH(enclosing_box(box2{{1, 2}, {3, 4}}, box2{{9, 9}, {0, 0}}) == box2{{1, 2}, {3, 4}});
+  CHECK_BOTH(extent(none) == vec<double, 2>{});
+  CHECK_BOTH(bounding_box(none, box2{{1, 2}, {3, 4}}) == box2{{1, 2}, {3, 4}});
+  CHECK_BOTH(bounding_box(box2{{1, 2}, {3, 4}}, box2{{9, 9}, {0, 0}}) == box2{{1, 2}, {3, 4}});
 }
 
 TEST_CASE("box: NaN coordinates are passed over") {
-  CHECK_BOTH(enclosing_box(std::array<P2, 3>{P2{nan_, 5}, P2{1, nan_}, P2{2, 3}}) == box2{{1, 3}, {2, 5}});
-  CHECK_BOTH(is_empty(enclosing_box(std::array<P2, 2>{P2{nan_, 5}, P2{nan_, 6}})));
+  CHECK_BOTH(bounding_box(std::array<P2, 3>{P2{nan_, 5}, P2{1, nan_}, P2{2, 3}}) == box2{{1, 3}, {2, 5}});
+  CHECK_BOTH(is_empty(bounding_box(std::array<P2, 2>{P2{nan_, 5}, P2{nan_, 6}})));
   CHECK_BOTH(!contains(box2{{0, 0}, {1, 1}}, P2{nan_, 0.5}));
 }
 
@@ -114,10 +126,10 @@ TEST_CASE("box: centre in numbers that are never constants and have no end") {
 TEST_CASE("box: rationals and integers") {
   constexpr std::array<point<fraction, 2>, 2> points{point<fraction, 2>{fraction{1, 2}, fraction{-1, 3}},
                                                      point<fraction, 2>{fraction{5}, fraction{-2, 3}}};
-  constexpr auto b = enclosing_box(points);
+  constexpr auto b = bounding_box(points);
   CHECK_BOTH(b.low == point<fraction, 2>{fraction{1, 2}, fraction{-2, 3}});
   CHECK_BOTH(centre(b) == point<fraction, 2>{fraction{11, 4}, fraction{-1, 2}});
-  CHECK_BOTH(enclosing_box(std::array<point<int, 2>, 2>{point<int, 2>{3, -4}, point<int, 2>{-1, 7}}) ==
+  CHECK_BOTH(bounding_box(std::array<point<int, 2>, 2>{point<int, 2>{3, -4}, point<int, 2>{-1, 7}}) ==
              box<int, 2>{{-1, -4}, {3, 7}});
 }
 
@@ -145,8 +157,8 @@ TEST_CASE("box: the enclosing box of random points holds them, and each side tou
   for (int k = 0; k < 200; ++k) {
     std::vector<P3> points(static_cast<std::size_t>(r.integer(1, 40)), P3{});
     for (P3& p : points) p = {r.unit(), r.unit() * 1e9, -r.unit()};
-    const auto b = enclosing_box(points);
-    const auto ball = sphere_around(b);
+    const auto b = bounding_box(points);
+    const auto ball = bounding_sphere_of(b);
     unsigned touched = 0;
     for (const P3& p : points) {
       CHECK(contains(b, p));
@@ -169,7 +181,7 @@ TEST_CASE_TEMPLATE("box: size, centre and sphere, numbers of all sizes", T, doub
       [](test::random& r, sizes which) {
         const auto p = points<T, 3, 2>(r, which);
         irg::box<T, 3> b;
-        for (const auto& q : p) b = enclosing_box(b, q);
+        for (const auto& q : p) b = bounding_box(b, q);
         const auto s = size(b);
         const auto middle = centre(b);
         E squared = 0;
@@ -180,7 +192,7 @@ TEST_CASE_TEMPLATE("box: size, centre and sphere, numbers of all sizes", T, doub
           const E up = high - of(middle[k]), down = of(middle[k]) - low;
           squared = squared + (up < down ? down * down : up * up);
         }
-        return root_error(sphere_around(b).radius, squared, E(1));
+        return root_error(bounding_sphere_of(b).radius, squared, E(1));
       },
       3000);
 }

@@ -124,7 +124,7 @@ TEST_CASE("clip_line_liang_barsky: random integers against rationals") {
   for (int k = 0; k < line_cases::release_or(20000); ++k) {
     const auto c = [&] { return static_cast<int>(r.integer(-12, 12)); };
     const point<int, 2> a{c(), c()}, b{c(), c()}, p{c(), c()}, q{c(), c()};
-    const auto w = irg::enclosing_box(irg::enclosing_box(box<int, 2>{}, p), q);
+    const auto w = irg::bounding_box(irg::bounding_box(box<int, 2>{}, p), q);
     const auto exact = [](const point<int, 2>& v) { return point<rational, 2>{v.x, v.y}; };
     const auto kept = clip_line_liang_barsky(a, b, w);
     const auto oracle = clip_line_liang_barsky(exact(a), exact(b), {exact(w.low), exact(w.high)});

@@ -321,7 +321,7 @@ verdict judge_windows(std::uint64_t seed, int rounds) {
   for (int k = 0; k < rounds; ++k) {
     auto c = draw_clip_case<T>(r);
     irg::box<T, 2> w;
-    for (const auto& p : c.region) w = enclosing_box(w, p);
+    for (const auto& p : c.region) w = bounding_box(w, p);
     if (!(w.low.x < w.high.x && w.low.y < w.high.y)) continue;
     c.region = {w.low, {w.high.x, w.low.y}, w.high, {w.low.x, w.high.y}};
     judge(c, w, v);

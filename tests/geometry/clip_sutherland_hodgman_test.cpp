@@ -170,7 +170,7 @@ TEST_CASE("clip_sutherland_hodgman: windows: samples, idempotence, walk and pipe
   for (int k = 0; k < line_cases::release_or(3000); ++k) {
     const Polygon ring = star(r, static_cast<int>(r.integer(3, 30)), 3);
     box<double, 2> w;
-    for (int i = 0; i < 2; ++i) w = irg::enclosing_box(w, P{r.unit() * 5 - 2.5, r.unit() * 5 - 2.5});
+    for (int i = 0; i < 2; ++i) w = irg::bounding_box(w, P{r.unit() * 5 - 2.5, r.unit() * 5 - 2.5});
     const Polygon kept = clip_sutherland_hodgman(ring, w);
     wrong += places_of(clip_sutherland_hodgman(with_attributes(ring), w)) == kept ? 0 : 1;
     kept_any += kept.empty() ? 0 : 1;

@@ -109,7 +109,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("scaled_near_one", FOREIGN_CALL(irg::scaled_near_one(v.b3)));
   call("normalized", FOREIGN_CALL(irg::normalized(v.b3)));
   call("normalized_fast", FOREIGN_CALL(irg::normalized_fast(v.b3)));
-  call("try_normalize", FOREIGN_CALL(irg::try_normalize(v.b3)));
+  call("try_normalized", FOREIGN_CALL(irg::try_normalized(v.b3)));
   call("angle_between", FOREIGN_CALL(irg::angle_between(v.b3, v.c3)));
   call("scalar_projection", FOREIGN_CALL(irg::scalar_projection(v.b3, v.c3)));
   call("vector_projection", FOREIGN_CALL(irg::vector_projection(v.b3, v.c3)));
@@ -171,7 +171,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("edge_through", FOREIGN_CALL(irg::edge_through(v.a, v.b)));
   call("line_through", FOREIGN_CALL(irg::line_through(v.a, v.b)));
   call("line_value", FOREIGN_CALL(irg::line_value(irg::line<double>{1, 2, 3}, v.b)));
-  call("height_of", FOREIGN_CALL(irg::height_of(irg::line<double>{1, 2, 3}, v.b)));
+  call("vertical_side_of", FOREIGN_CALL(irg::vertical_side_of(irg::line<double>{1, 2, 3}, v.b)));
   call("intersect_lines", FOREIGN_CALL(irg::intersect_lines(v.a, v.c, v.b, v.d)));
   call("intersect_segments", FOREIGN_CALL(irg::intersect_segments(v.a, v.c, v.b, v.d)));
   call("parametric_line_through", FOREIGN_CALL(irg::parametric_line_through(v.a3, v.b3)));
@@ -192,7 +192,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("clip_line_nicholl_lee_nicholl", FOREIGN_CALL(irg::clip_line_nicholl_lee_nicholl(v.a, v.c, v.window)));
   call("clip_line_cyrus_beck", FOREIGN_CALL(irg::clip_line_cyrus_beck(v.a, v.e, v.ring)));
   // rings
-  call("enclosing_box", FOREIGN_CALL(irg::enclosing_box(v.ring3)));
+  call("bounding_box", FOREIGN_CALL(irg::bounding_box(v.ring3)));
   call("smallest_sphere", FOREIGN_CALL(irg::smallest_sphere(v.ring3)));
   call("convex_hull", FOREIGN_CALL(irg::convex_hull(v.ring)));
   call("is_convex", FOREIGN_CALL(irg::is_convex(v.ring)));
@@ -204,7 +204,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("polygon_area", FOREIGN_CALL(irg::polygon_area(v.ring)));
   call("polygon_area_exact", FOREIGN_CALL(irg::polygon_area_exact(v.ring)));
   call("polygon_area_fast", FOREIGN_CALL(irg::polygon_area_fast(v.ring)));
-  call("twice_polygon_area", FOREIGN_CALL(irg::twice_polygon_area(v.path)));
+  call("twice_signed_area", FOREIGN_CALL(irg::twice_signed_area(v.path)));
   call("polygon_perimeter", FOREIGN_CALL(irg::polygon_perimeter(v.ring)));
   call("polygon_centroid", FOREIGN_CALL(irg::polygon_centroid(v.ring)));
   call("polygon_centroid_fast", FOREIGN_CALL(irg::polygon_centroid_fast(v.ring)));
@@ -227,14 +227,14 @@ std::map<std::string, bool> calls(const V& values) {
   call("newell_plane", FOREIGN_CALL(irg::newell_plane(v.ring3)));
   call("newell_plane_through_centroid", FOREIGN_CALL(irg::newell_plane_through_centroid(v.ring3)));
   call("plane_at_corner", FOREIGN_CALL(irg::plane_at_corner(v.ring3)));
-  call("side_by_order", FOREIGN_CALL(irg::side_by_order(v.ring)));
+  call("facing_by_order", FOREIGN_CALL(irg::facing_by_order(v.ring)));
   call("fill_convex", FOREIGN_CALL(irg::fill_convex(v.picture, v.ring, irg::rgba8{1, 2, 3, 255})));
   call("fill_convex_aa", FOREIGN_CALL(irg::fill_convex_aa(v.picture, v.ring, irg::rgba8{1, 2, 3, 255})));
   call("fill_polygon",
        FOREIGN_CALL(irg::fill_polygon(v.picture, v.ring, irg::fill_rule::non_zero, irg::rgba8{1, 2, 3, 255})));
   call("fill_polygon_aa",
        FOREIGN_CALL(irg::fill_polygon_aa(v.picture, v.ring, irg::fill_rule::non_zero, irg::rgba8{1, 2, 3, 255})));
-  call("polygon_overlay", FOREIGN_CALL(irg::polygon_overlay(v.ring, v.ring)));
+  call("polygon_boolean", FOREIGN_CALL(irg::polygon_boolean(v.ring, v.ring)));
   call("triangulate_monotone", FOREIGN_CALL(irg::triangulate_monotone(v.ring)));
   call("textbook::clip_weiler_atherton", FOREIGN_CALL(irg::textbook::clip_weiler_atherton(v.path, v.path)));
   call("clip_sutherland_hodgman", FOREIGN_CALL(irg::clip_sutherland_hodgman(v.ring, v.window)));
@@ -253,6 +253,7 @@ std::map<std::string, bool> calls(const V& values) {
                                     irg::draw_line_wu(v.picture, v.a, v.c, v.colour)));
   call("flood_fill", FOREIGN_CALL(irg::flood_fill(v.picture, v.from, v.colour)));
   call("boundary_fill", FOREIGN_CALL(irg::boundary_fill(v.picture, v.from, v.colour, v.colour)));
+  call("draw_polygon", FOREIGN_CALL(irg::draw_polygon(v.picture, v.path, irg::rgba8{1, 2, 3, 255})));
   call("draw_polyline", FOREIGN_CALL(irg::draw_polyline(v.picture, v.path, irg::rgba8{1, 2, 3, 255})));
   // planes and homogeneous points
   call("normal_of", FOREIGN_CALL(irg::normal_of(v.plane)));
@@ -260,7 +261,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("plane_value", FOREIGN_CALL(irg::plane_value(v.plane, v.e3)));
   call("side_of", FOREIGN_CALL(irg::side_of(v.plane, v.e3)));
   call("signed_distance", FOREIGN_CALL(irg::signed_distance(v.plane, v.e3)));
-  call("side_by_plane", FOREIGN_CALL(irg::side_by_plane(v.plane, v.e3)));
+  call("facing_by_plane", FOREIGN_CALL(irg::facing_by_plane(v.plane, v.e3)));
   call("closest_point_on_plane", FOREIGN_CALL(irg::closest_point_on_plane(v.plane, v.e3)));
   call("compare_distance_to_plane", FOREIGN_CALL(irg::compare_distance_to_plane(v.plane, v.e3, v.g3)));
   call("intersect_plane_line", FOREIGN_CALL(irg::intersect_plane_line(v.plane, v.a3, v.g3)));
@@ -538,7 +539,7 @@ TEST_CASE("foreign types: points that can only be copied get the results of irg'
     const auto v = irg::to_vec(e);
     const auto poor_v = irg::generate_coordinates<archetype::vector<double, 3>>([&](int i) { return v[i]; });
     CHECK(equal_coordinates(irg::normalized(poor_v), irg::normalized(v)));
-    CHECK(irg::try_normalize(poor_v).has_value() == irg::try_normalize(v).has_value());
+    CHECK(irg::try_normalized(poor_v).has_value() == irg::try_normalized(v).has_value());
     CHECK(irg::rotation(poor_v, 0.5) == irg::rotation(v, 0.5));
     // curve samples of points that say that they are: the derivative is a vector
     std::array<archetype::kept_point<double, 2>, 3> control;

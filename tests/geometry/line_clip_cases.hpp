@@ -171,7 +171,7 @@ void check_as_liang_barsky(const Clip& clip, std::uint64_t seed, int count) {
       const auto any = [&] { return static_cast<T>(r.integer(-9, 9)); };
       c.a = {any(), any()}, c.b = {any(), any()};
       const P<T> p{any(), any()}, q{any(), any()};
-      c.window = irg::enclosing_box(irg::enclosing_box(irg::box<T, 2>{}, p), q);
+      c.window = irg::bounding_box(irg::bounding_box(irg::box<T, 2>{}, p), q);
     } else {
       c = draw_case<T>(r);
     }

@@ -8,14 +8,14 @@
 #include "support/exact.hpp"
 #include "support/rational.hpp"
 
-using irg::common_point;
-using irg::height_of;
 using irg::hpoint;
+using irg::intersection_point;
 using irg::line;
 using irg::line_through;
 using irg::line_value;
 using irg::point;
 using irg::side;
+using irg::vertical_side_of;
 using test::rational;
 
 namespace {
@@ -43,9 +43,9 @@ TEST_CASE("line: the course's values") {
   CHECK_BOTH(line_value(l, point<rational, 2>{4, 0}) == rational(-9));
   CHECK_BOTH(line_value(L{2, -3, 1}, P{1, 3}) == -6);
   CHECK_BOTH(line_value(L{2, -3, 1}, H{2, 6, 2}) == -12);
-  CHECK_BOTH(common_point(L{1, 2, 3}, L{1, 2, -5}) == H{-16, 8, 0});  // parallel: a point at infinity
-  CHECK_BOTH(common_point(L{2, -1, 0}, L{1, 1, -3}) == H{3, 6, 3});
-  CHECK_BOTH(to_cartesian(*common_point(L{2, -1, 0}, L{1, 1, -3})) == P{1, 2});
+  CHECK_BOTH(intersection_point(L{1, 2, 3}, L{1, 2, -5}) == H{-16, 8, 0});  // parallel: a point at infinity
+  CHECK_BOTH(intersection_point(L{2, -1, 0}, L{1, 1, -3}) == H{3, 6, 3});
+  CHECK_BOTH(to_cartesian(*intersection_point(L{2, -1, 0}, L{1, 1, -3})) == P{1, 2});
 }
 
 TEST_CASE("line: equal points, NaN, ends of the range") {
@@ -54,8 +54,8 @@ TEST_CASE("line: equal points, NaN, ends of the range") {
   CHECK_BOTH(!line_through(P{1, not_a_number}, P{1, 2}));
   CHECK_BOTH(!line_through(P{1, 2}, P{1, std::numeric_limits<double>::infinity()}));
   CHECK_BOTH(line_through(H{1, 0, 0}, H{0, 1, 0}) == L{0, 0, 1});  // the line at infinity
-  CHECK_BOTH(!common_point(L{1, 2, 3}, L{2, 4, 6}));
-  CHECK_BOTH(!common_point(L{1, 2, not_a_number}, L{2, 4, 6}));
+  CHECK_BOTH(!intersection_point(L{1, 2, 3}, L{2, 4, 6}));
+  CHECK_BOTH(!intersection_point(L{1, 2, not_a_number}, L{2, 4, 6}));
   CHECK_BOTH(line_through(P{0, 0}, P{5e-324, 5e-324}) == L{-0x1p0, 0x1p0, 0});
   constexpr L wide = *line_through(P{-huge, huge}, P{huge, huge});
   CHECK_BOTH(wide.a == 0);
@@ -64,14 +64,14 @@ TEST_CASE("line: equal points, NaN, ends of the range") {
 
 TEST_CASE("line: above and below are not left and right") {
   constexpr L forward{-2, 3, -1}, backward{2, -3, 1};
-  CHECK_BOTH(height_of(forward, P{1, 3}) == side::above);
-  CHECK_BOTH(height_of(backward, P{1, 3}) == side::above);  // on the right of it
-  CHECK_BOTH(height_of(forward, P{4, 3}) == side::on);
-  CHECK_BOTH(height_of(backward, P{4, 0}) == side::below);
-  CHECK_BOTH(height_of(L{4, 0, 0}, P{4, 0}) == std::nullopt);
-  CHECK_BOTH(height_of(L{1, -1, 0}, P{1, 1 + 0x1p-52}) == side::above);
-  CHECK_BOTH(height_of(L{huge, -huge, 0}, P{huge, huge}) == side::on);
-  CHECK_BOTH(height_of(line<int>{2, -3, 1}, I{1, 3}) == side::above);
+  CHECK_BOTH(vertical_side_of(forward, P{1, 3}) == side::above);
+  CHECK_BOTH(vertical_side_of(backward, P{1, 3}) == side::above);  // on the right of it
+  CHECK_BOTH(vertical_side_of(forward, P{4, 3}) == side::on);
+  CHECK_BOTH(vertical_side_of(backward, P{4, 0}) == side::below);
+  CHECK_BOTH(vertical_side_of(L{4, 0, 0}, P{4, 0}) == std::nullopt);
+  CHECK_BOTH(vertical_side_of(L{1, -1, 0}, P{1, 1 + 0x1p-52}) == side::above);
+  CHECK_BOTH(vertical_side_of(L{huge, -huge, 0}, P{huge, huge}) == side::on);
+  CHECK_BOTH(vertical_side_of(line<int>{2, -3, 1}, I{1, 3}) == side::above);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -91,7 +91,7 @@ TEST_CASE("line: half an ulp from the exact coefficients") {
         worst = std::fmax(worst, test::error_in_ulp(through->b, e[2] - e[0]));
         worst = std::fmax(worst, test::error_in_ulp(through->c, e[0] * e[3] - e[2] * e[1]));
       }
-      const auto common = common_point(L{c[0], c[1], c[2]}, L{c[3], c[4], c[5]});
+      const auto common = intersection_point(L{c[0], c[1], c[2]}, L{c[3], c[4], c[5]});
       if (!common) continue;
       worst = std::fmax(worst, test::error_in_ulp(common->x, e[1] * e[5] - e[2] * e[4]));
       worst = std::fmax(worst, test::error_in_ulp(common->y, e[2] * e[3] - e[0] * e[5]));
@@ -109,7 +109,7 @@ TEST_CASE("line_through: of points of short integers") {
 
 #ifdef IRG_HAVE_MPFR
 
-TEST_CASE_TEMPLATE("line_through, common_point: numbers of all sizes", T, double, float) {
+TEST_CASE_TEMPLATE("line_through, intersection_point: numbers of all sizes", T, double, float) {
   using namespace test::mixed;
   using line = irg::line<T>;
   sweep(
@@ -121,14 +121,14 @@ TEST_CASE_TEMPLATE("line_through, common_point: numbers of all sizes", T, double
       },
       3000);
   sweep(
-      named<T>("line_through and common_point, homogeneous"), 0.501,
+      named<T>("line_through and intersection_point, homogeneous"), 0.501,
       [&](test::random& r, sizes which) {
         auto c = numbers<T, 6>(r, which);
         if (r.integer(0, 3) == 0) c[4] = c[1], c[3] = c[0];
         const irg::hpoint<T, 2> p{c[0], c[1], c[2]}, q{c[3], c[4], c[5]};
         const auto e = rationals(c);
         const auto want = minors({e[0], e[1], e[2]}, {e[3], e[4], e[5]});
-        const auto common = common_point(line{c[0], c[1], c[2]}, line{c[3], c[4], c[5]});
+        const auto common = intersection_point(line{c[0], c[1], c[2]}, line{c[3], c[4], c[5]});
         const auto as_line = common ? std::optional(line{common->x, common->y, common->z}) : std::nullopt;
         return std::fmax(off_from_line<T>(line_through(p, q), want), off_from_line<T>(as_line, want));
       },

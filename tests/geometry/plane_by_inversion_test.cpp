@@ -11,7 +11,7 @@
 #include <irg/math/mat.hpp>
 
 using irg::hpoint;
-using irg::inversion_outcome;
+using irg::inversion_status;
 using irg::plane;
 using irg::plane_by_inversion;
 using test::rational;
@@ -24,7 +24,7 @@ using Q = hpoint<rational, 3>;
 template <class P, class T>
 constexpr bool gives(const P& p, const P& q, const P& r, const T& d, const plane<T>& want) {
   const auto got = plane_by_inversion(p, q, r, d);
-  return got.status == inversion_outcome::plane && got.value == want;
+  return got.status == inversion_status::ok && got.value == want;
 }
 
 }  // namespace
@@ -40,15 +40,15 @@ TEST_CASE("plane_by_inversion: the course's values") {
 
 TEST_CASE("plane_by_inversion: where there is none") {
   CHECK_BOTH(plane_by_inversion(H{1, 0, 1, 1}, H{0, 1, 1, 1}, H{1, 1, 2, 1}).status ==
-             inversion_outcome::through_origin);
-  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{2, 0, 0, 1}, H{3, 0, 0, 1}).status == inversion_outcome::collinear);
-  CHECK_BOTH(plane_by_inversion(H{1, 2, 3, 1}, H{2, 4, 6, 2}, H{0, 0, 1, 1}).status == inversion_outcome::collinear);
-  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, 0).status == inversion_outcome::invalid);
+             inversion_status::through_origin);
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{2, 0, 0, 1}, H{3, 0, 0, 1}).status == inversion_status::collinear);
+  CHECK_BOTH(plane_by_inversion(H{1, 2, 3, 1}, H{2, 4, 6, 2}, H{0, 0, 1, 1}).status == inversion_status::collinear);
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, 0).status == inversion_status::invalid);
   constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
   CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, not_a_number, 1}).status ==
-             inversion_outcome::invalid);
+             inversion_status::invalid);
   CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, not_a_number).status ==
-             inversion_outcome::invalid);
+             inversion_status::invalid);
 }
 
 TEST_CASE("plane_by_inversion: a subnormal last coefficient") {
@@ -68,8 +68,8 @@ TEST_CASE("plane_by_inversion: the equations hold in rationals") {
     irg::mat<rational, 4, 4> m;
     for (int row = 0; row < 4; ++row)
       for (int k = 0; k < 4; ++k) m(row, k) = row < 3 ? p[row][k] : rational(k == 3);
-    wrong += (got.status == inversion_outcome::plane) != !(determinant(m) == rational(0));
-    if (got.status != inversion_outcome::plane) continue;
+    wrong += (got.status == inversion_status::ok) != !(determinant(m) == rational(0));
+    if (got.status != inversion_status::ok) continue;
     ++planes;
     for (const Q& q : p) wrong += !(plane_value(got.value, q) == rational(0));
   }
@@ -91,15 +91,15 @@ TEST_CASE_TEMPLATE("plane_through, plane_by_inversion: homogeneous numbers of al
         const auto want =
             plane_coefficients({e[0], e[1], e[2], e[3]}, {e[4], e[5], e[6], e[7]}, {e[8], e[9], e[10], e[11]});
         const auto inverted = plane_by_inversion(p, q, s, c[12]);
-        using irg::inversion_outcome;
+        using irg::inversion_status;
         const bool collinear = want[0].sign() == 0 && want[1].sign() == 0 && want[2].sign() == 0;
-        const auto outcome = c[12] == 0            ? inversion_outcome::invalid
-                             : want[3].sign() != 0 ? inversion_outcome::plane
-                             : collinear           ? inversion_outcome::collinear
-                                                   : inversion_outcome::through_origin;
+        const auto outcome = c[12] == 0            ? inversion_status::invalid
+                             : want[3].sign() != 0 ? inversion_status::ok
+                             : collinear           ? inversion_status::collinear
+                                                   : inversion_status::through_origin;
         if (inverted.status != outcome) return wrong;
         double worst = off_from_plane<T>(plane_through(p, q, s), want);
-        if (outcome != inversion_outcome::plane) return worst;
+        if (outcome != inversion_status::ok) return worst;
         const T got[3] = {inverted.value.a, inverted.value.b, inverted.value.c};
         for (std::size_t k = 0; k < 3; ++k) worst = std::fmax(worst, quotient_error(got[k], want[k] * e[12], want[3]));
         return inverted.value.d == c[12] ? worst : wrong;

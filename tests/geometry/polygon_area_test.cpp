@@ -29,7 +29,7 @@ TEST_CASE("polygon_area: the course's values, both ways round, holes, every numb
   CHECK_BOTH(irg::polygon_area_exact(course) == -38750);
   CHECK_BOTH(irg::polygon_area_fast(course) == -38750);
   constexpr std::array<I, 4> whole{I{50, 200}, I{150, 350}, I{300, 150}, I{100, 50}};
-  CHECK_BOTH(irg::twice_polygon_area(whole) == -77500);
+  CHECK_BOTH(irg::twice_signed_area(whole) == -77500);
   CHECK_BOTH(irg::polygon_area(whole) == -38750.0);
   const std::vector<std::vector<P>> frame{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {3, 6}, {6, 6}, {6, 3}}};
   CHECK(irg::polygon_area(frame) == 72);

@@ -16,7 +16,7 @@
 
 namespace {
 
-using irg::triangulation_state;
+using irg::triangulation_status;
 using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
 using ring = test::lattice_ring;
@@ -36,7 +36,7 @@ enum class corners { may_touch, stand_alone };
 /// many of them as the even-odd rule says; sample points lie off all lines between vertices.
 void check(const rings& polygon, corners how, std::size_t count) {
   const auto t = irg::triangulate_monotone(polygon);
-  REQUIRE(t.state == triangulation_state::complete);
+  REQUIRE(t.status == triangulation_status::ok);
   REQUIRE(t.triangles.size() == count);
   const bool forward = test::twice_area(polygon[0]) >= 0;
   const auto triangles = triangles_of(t, polygon);
@@ -76,7 +76,7 @@ ring comb(int teeth) {
 }
 
 constexpr std::uint64_t digest(const irg::triangulation& t) {
-  std::uint64_t h = 14695981039346656037u + static_cast<std::uint64_t>(t.state);
+  std::uint64_t h = 14695981039346656037u + static_cast<std::uint64_t>(t.status);
   for (const auto& triangle : t.triangles)
     for (const auto i : triangle) h = (h ^ i) * 1099511628211u;
   return h;
@@ -88,9 +88,9 @@ TEST_CASE("triangulate_monotone: at compile time as at run time") {
   };
   CHECK_BOTH(l_shape().triangles.size() == 4);
   constexpr auto spiked = [] {
-    return irg::triangulate_monotone(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, -1}, {4, 8}, {0, 8}}).state;
+    return irg::triangulate_monotone(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, -1}, {4, 8}, {0, 8}}).status;
   };
-  CHECK_BOTH(spiked() == triangulation_state::crossing);
+  CHECK_BOTH(spiked() == triangulation_status::crossing);
   constexpr auto constant = digest(l_shape());
   CHECK(digest(l_shape()) == constant);
   constexpr auto frame = [] {
@@ -103,7 +103,7 @@ TEST_CASE("triangulate_monotone: at compile time as at run time") {
   };
   CHECK_BOTH(dart(least).triangles.size() == 2);
   CHECK_BOTH(dart(-least).triangles.size() == 2);
-  CHECK_BOTH(irg::triangulate_monotone(ring{{0, 0}, {4, 4}, {4, 0}, {0, 4}}).state == triangulation_state::crossing);
+  CHECK_BOTH(irg::triangulate_monotone(ring{{0, 0}, {4, 4}, {4, 0}, {0, 4}}).status == triangulation_status::crossing);
   CHECK_BOTH(irg::triangulate_monotone(ring{}).triangles.empty());
 }
 
@@ -200,18 +200,18 @@ TEST_CASE("triangulate_monotone: rings without area, and what crosses") {
   flat({{1, 1}, {1, 1}, {1, 1}, {1, 1}});
   flat({{0, 0}, {4, 0}, {0, 0}, {4, 0}, {0, 0}});
   flat({{0, 0}, {3, 0}, {1, 0}, {5, 0}, {2, 0}});
-  const auto state = [](const auto& polygon) { return irg::triangulate_monotone(polygon).state; };
-  CHECK(state(rings{}) == triangulation_state::complete);
-  CHECK(state(rings{{}, {}}) == triangulation_state::complete);
-  CHECK(state(ring{{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == triangulation_state::crossing);  // bow-tie
-  CHECK(state(ring{{0, 0}, {2, 2}, {4, 4}, {4, 0}, {2, 2}, {0, 4}}) == triangulation_state::crossing);  // at a vertex
-  CHECK(state(ring{{0, 0}, {5, 9}, {10, 0}, {0, 6}, {10, 6}}) == triangulation_state::crossing);  // pentagram
-  CHECK(state(ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}) == triangulation_state::crossing);
-  CHECK(state(rings{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 2}, {6, 2}, {6, 6}}}) == triangulation_state::crossing);
+  const auto state = [](const auto& polygon) { return irg::triangulate_monotone(polygon).status; };
+  CHECK(state(rings{}) == triangulation_status::ok);
+  CHECK(state(rings{{}, {}}) == triangulation_status::ok);
+  CHECK(state(ring{{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == triangulation_status::crossing);  // bow-tie
+  CHECK(state(ring{{0, 0}, {2, 2}, {4, 4}, {4, 0}, {2, 2}, {0, 4}}) == triangulation_status::crossing);  // at a vertex
+  CHECK(state(ring{{0, 0}, {5, 9}, {10, 0}, {0, 6}, {10, 6}}) == triangulation_status::crossing);  // pentagram
+  CHECK(state(ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}) == triangulation_status::crossing);
+  CHECK(state(rings{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 2}, {6, 2}, {6, 6}}}) == triangulation_status::crossing);
   CHECK(irg::triangulate_monotone(ring{{0, 0}, {4, 4}, {4, 0}, {0, 4}}).triangles.empty());
   constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {inf, -inf, nan_}) {
-    CHECK(state(std::vector<P>{{0, 0}, {1, bad}, {0, 1}}) == triangulation_state::not_finite);
+    CHECK(state(std::vector<P>{{0, 0}, {1, bad}, {0, 1}}) == triangulation_status::not_finite);
     CHECK(irg::triangulate_monotone(std::vector<P>{{0, 0}, {1, 0}, {bad, 1}}).triangles.empty());
   }
 }
@@ -276,9 +276,9 @@ TEST_CASE("triangulate_monotone: every ring of five vertices on a small lattice:
       }
     }
     const bool crosses = test::ways_cross({r});
-    if (crosses) REQUIRE(t.state == triangulation_state::crossing);
-    if (test::is_simple(core) && !crosses) REQUIRE(t.state == triangulation_state::complete);
-    if (t.state != triangulation_state::complete) {
+    if (crosses) REQUIRE(t.status == triangulation_status::crossing);
+    if (test::is_simple(core) && !crosses) REQUIRE(t.status == triangulation_status::ok);
+    if (t.status != triangulation_status::ok) {
       ++crossing;
       continue;
     }
@@ -295,28 +295,28 @@ TEST_CASE("triangulate_monotone: every ring of five vertices on a small lattice:
 }
 
 TEST_CASE("triangulate_monotone: a spike through a side crosses it, a spike up to it does not") {
-  const auto state = [](const auto& polygon) { return irg::triangulate_monotone(polygon).state; };
+  const auto state = [](const auto& polygon) { return irg::triangulate_monotone(polygon).status; };
   const auto spiked = [](const I& tip) { return ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, tip, {4, 8}, {0, 8}}; };
-  CHECK(state(spiked({4, 3})) == triangulation_state::complete);
-  CHECK(state(spiked({4, 0})) == triangulation_state::complete);  // up to a side
-  CHECK(state(spiked({4, -1})) == triangulation_state::crossing);  // through it
-  CHECK(state(spiked({0, 0})) == triangulation_state::complete);  // up to a vertex
-  CHECK(state(spiked({-4, -8})) == triangulation_state::crossing);
-  CHECK(state(spiked({4, 20})) == triangulation_state::complete);  // outwards
-  CHECK(state(spiked({20, 8})) == triangulation_state::complete);  // along a side
+  CHECK(state(spiked({4, 3})) == triangulation_status::ok);
+  CHECK(state(spiked({4, 0})) == triangulation_status::ok);  // up to a side
+  CHECK(state(spiked({4, -1})) == triangulation_status::crossing);  // through it
+  CHECK(state(spiked({0, 0})) == triangulation_status::ok);  // up to a vertex
+  CHECK(state(spiked({-4, -8})) == triangulation_status::crossing);
+  CHECK(state(spiked({4, 20})) == triangulation_status::ok);  // outwards
+  CHECK(state(spiked({20, 8})) == triangulation_status::ok);  // along a side
   // a spike of two links, whose bend lies on a side
   CHECK(state(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 0}, {5, -3}, {4, 0}, {4, 8}, {0, 8}}) ==
-        triangulation_state::crossing);
+        triangulation_status::crossing);
   CHECK(state(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 0}, {5, 3}, {4, 0}, {4, 8}, {0, 8}}) ==
-        triangulation_state::complete);
+        triangulation_status::ok);
   // two spikes, apart and across each other; a flat ring through a side
   CHECK(state(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 2}, {4, 8}, {0, 8}, {0, 4}, {4, 4}, {0, 4}}) ==
-        triangulation_state::complete);
+        triangulation_status::ok);
   CHECK(state(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 2}, {4, 8}, {0, 8}, {0, 4}, {7, 4}, {0, 4}}) ==
-        triangulation_state::crossing);
+        triangulation_status::crossing);
   const ring square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
-  CHECK(state(rings{square, {{2, 2}, {12, 2}, {2, 2}, {12, 2}}}) == triangulation_state::crossing);
-  CHECK(state(rings{square, {{2, 2}, {8, 2}, {2, 2}, {5, 2}}}) == triangulation_state::complete);
+  CHECK(state(rings{square, {{2, 2}, {12, 2}, {2, 2}, {12, 2}}}) == triangulation_status::crossing);
+  CHECK(state(rings{square, {{2, 2}, {8, 2}, {2, 2}, {5, 2}}}) == triangulation_status::ok);
 }
 
 TEST_CASE("triangulate_monotone: random simple polygons with spikes, pauses and straight vertices") {
@@ -346,7 +346,7 @@ TEST_CASE("triangulate_monotone: random simple polygons with spikes, pauses and 
     if (i % 2 == 0) r = turned_round(r);
     const auto t = irg::triangulate_monotone(r);
     const bool crosses = test::ways_cross({r});
-    REQUIRE((t.state == triangulation_state::crossing) == crosses);
+    REQUIRE((t.status == triangulation_status::crossing) == crosses);
     ++(crosses ? crossing : complete);
     if (!crosses) check({r}, corners::may_touch, r.size() - 2);
   }
@@ -366,9 +366,9 @@ TEST_CASE("triangulate_monotone: random rings that cross or touch: whatever is c
         r.push_back({x, static_cast<int>(random.integer(0, 4))});
       }
     const auto t = irg::triangulate_monotone(polygon);
-    ++(t.state == triangulation_state::complete ? complete : crossing);
-    if (test::ways_cross(polygon)) REQUIRE(t.state == triangulation_state::crossing);
-    if (t.state == triangulation_state::complete) check(polygon, corners::may_touch, t.triangles.size());
+    ++(t.status == triangulation_status::ok ? complete : crossing);
+    if (test::ways_cross(polygon)) REQUIRE(t.status == triangulation_status::crossing);
+    if (t.status == triangulation_status::ok) check(polygon, corners::may_touch, t.triangles.size());
   }
   MESSAGE(complete, " complete, ", crossing, " crossing");
   CHECK(complete > 500);
@@ -383,7 +383,7 @@ TEST_CASE("triangulate_monotone: ears of one ulp, hostile exponents, other numbe
     saw.push_back({0, 4});
     for (P& p : saw) p = {p.x * scale, p.y * scale};
     const auto t = irg::triangulate_monotone(saw);
-    REQUIRE(t.state == triangulation_state::complete);
+    REQUIRE(t.status == triangulation_status::ok);
     REQUIRE(t.triangles.size() == saw.size() - 2);
     irg::exact_accumulator<2> difference;
     const auto add = [&](const P& a, const P& b) { difference.add(a.x, b.y), difference.subtract(a.y, b.x); };
@@ -402,7 +402,7 @@ TEST_CASE("triangulate_monotone: ears of one ulp, hostile exponents, other numbe
 TEST_CASE("triangulate_monotone: a million vertices") {
   const auto check_area = [](const std::vector<P>& r) {
     const auto t = irg::triangulate_monotone(r);
-    REQUIRE(t.state == triangulation_state::complete);
+    REQUIRE(t.status == triangulation_status::ok);
     REQUIRE(t.triangles.size() == r.size() - 2);
     long wrong = 0;
     for (const auto& i : t.triangles) wrong += irg::orient2d(r[i[0]], r[i[1]], r[i[2]]) <= 0;

@@ -19,9 +19,9 @@ TEST_CASE("segment: ends, box, the way back") {
   CHECK_BOTH(point_at(s, 0) == s.a);
   CHECK_BOTH(point_at(s, 1) == s.b);
   CHECK_BOTH(point_at(s, 0.5) == point<double, 3>{0.425, 3, -2});
-  CHECK_BOTH(enclosing_box(s) == box<double, 3>{{0.1, 1, -2}, {0.75, 5, -2}});
+  CHECK_BOTH(bounding_box(s) == box<double, 3>{{0.1, 1, -2}, {0.75, 5, -2}});
   CHECK_BOTH(reversed(s) == S{s.b, s.a});
-  CHECK_BOTH(enclosing_box(S{s.a, s.a}) == box<double, 3>{s.a, s.a});
+  CHECK_BOTH(bounding_box(S{s.a, s.a}) == box<double, 3>{s.a, s.a});
   static_assert(std::is_aggregate_v<S> && sizeof(S) == 6 * sizeof(double));
 }
 

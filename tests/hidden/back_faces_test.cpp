@@ -60,9 +60,9 @@ constexpr bool shows(const point3& eye, std::initializer_list<std::uint32_t> vis
     const auto plane = *irg::plane_through(a, b, c);
     const point3 centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
     const facing side = expected(f);
-    if (irg::side_by_plane(plane, eye) != side || irg::side_of_face(m, f, irg::to_homogeneous(eye)) != side)
+    if (irg::facing_by_plane(plane, eye) != side || irg::facing_of(m, f, irg::to_homogeneous(eye)) != side)
       return false;
-    if (irg::side_by_angle(irg::normal_of(plane), centre, eye) != side) return false;
+    if (irg::facing_by_angle(irg::normal_of(plane), centre, eye) != side) return false;
     if (!irg::is_hidden(side)) hidden.push_back(f);
     if (side != facing::back) drawn.push_back(f);
   }
@@ -80,22 +80,23 @@ TEST_CASE("back_faces: the course's cube from five eyes") {
 }
 
 TEST_CASE("back_faces: normals that point inward give the complement, as the course's text would have it") {
-  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}) == facing::front);
-  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) == facing::back);
-  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, -1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) ==
+  CHECK_BOTH(irg::facing_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}) == facing::front);
+  CHECK_BOTH(irg::facing_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) ==
+             facing::back);
+  CHECK_BOTH(irg::facing_by_angle(vec3{0, 0, -1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) ==
              facing::front);
-  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{3, 0, 0}, irg::normals_point::inward) ==
+  CHECK_BOTH(irg::facing_by_angle(vec3{0, 0, 1}, point3{}, point3{3, 0, 0}, irg::normals_point::inward) ==
              facing::edge_on);
 }
 
 template <std::size_t N>
 constexpr bool back_by_both(const point2 (&ring)[N], bool back) {
-  const bool by_order = irg::side_by_order(ring, orientation::clockwise) != facing::front;
+  const bool by_order = irg::facing_by_order(ring, orientation::clockwise) != facing::front;
   std::array<point2, N> reversed{};
   for (std::size_t i = 0; i < N; ++i) reversed[i] = ring[N - 1 - i];
   return by_order == back && irg::textbook::is_back_by_edges(ring) == back &&
          irg::textbook::is_back_by_edges(reversed, orientation::counter_clockwise) == back &&
-         (irg::side_by_order(reversed) != facing::front) == back;
+         (irg::facing_by_order(reversed) != facing::front) == back;
 }
 
 TEST_CASE("back_faces: the course's values, orientation in the projection plane") {
@@ -107,9 +108,9 @@ TEST_CASE("back_faces: the course's values, orientation in the projection plane"
   CHECK_BOTH(back_by_both(cw_square, false));
   CHECK_BOTH(back_by_both(ccw_square, true));
   CHECK_BOTH(back_by_both(line, true));
-  CHECK_BOTH(irg::side_by_order(line) == facing::edge_on);
-  CHECK_BOTH(irg::side_by_order(std::array<point2, 0>{}) == facing::edge_on);
-  CHECK_BOTH(irg::side_by_order(std::array{point2{1, 2}, point2{3, 4}}) == facing::edge_on);
+  CHECK_BOTH(irg::facing_by_order(line) == facing::edge_on);
+  CHECK_BOTH(irg::facing_by_order(std::array<point2, 0>{}) == facing::edge_on);
+  CHECK_BOTH(irg::facing_by_order(std::array{point2{1, 2}, point2{3, 4}}) == facing::edge_on);
 }
 
 // The side by rationals, from the first vertex and the cross product of two edges.
@@ -138,18 +139,18 @@ TEST_CASE("back_faces: random triangles of integers, exactly") {
     const point3 eye{number(), number(), number()};
     const facing side = exact_side(m, eye);
     edge_on += side == facing::edge_on;
-    CHECK(irg::side_of_face(m, 0, irg::to_homogeneous(eye)) == side);
+    CHECK(irg::facing_of(m, 0, irg::to_homogeneous(eye)) == side);
     const auto plane = irg::plane_through(m.positions[0], m.positions[1], m.positions[2]);
-    if (plane) CHECK(irg::side_by_angle(irg::normal_of(*plane), m.positions[0], eye) == side);
+    if (plane) CHECK(irg::facing_by_angle(irg::normal_of(*plane), m.positions[0], eye) == side);
   }
   CHECK(edge_on > 100);
 }
 
-static_assert(irg::side_by_angle(vec3{1e-300, 1e300, 1}, point3{1, 1, 1}, point3{1e300, 1, -1}) == facing::back);
+static_assert(irg::facing_by_angle(vec3{1e-300, 1e300, 1}, point3{1, 1, 1}, point3{1e300, 1, -1}) == facing::back);
 
 // A vector is no eye: it is refused in a question, too.
 template <class Eye>
-concept sees_by_plane = requires(const irg::plane<double>& face, const Eye& eye) { irg::side_by_plane(face, eye); };
+concept sees_by_plane = requires(const irg::plane<double>& face, const Eye& eye) { irg::facing_by_plane(face, eye); };
 static_assert(sees_by_plane<irg::point<double, 3>> && sees_by_plane<irg::hpoint<double, 3>>);
 static_assert(!sees_by_plane<irg::vec<double, 3>>);
 
@@ -184,15 +185,15 @@ TEST_CASE_TEMPLATE("back_faces: every form is exact, for coordinates of every si
         value = value + normal * way;
         cosine = cosine + at(1, i) * (at(2, i) - at(0, i));
       }
-      const facing side = irg::side_of_face(m, 0, eye);
+      const facing side = irg::facing_of(m, 0, eye);
       CHECK(side == sign(value));
       edge_on += side == facing::edge_on;
       const irg::point<T, 3> p0 = m.positions[0], p1 = m.positions[1], p2 = m.positions[2];
-      CHECK(irg::side_by_angle(irg::vec<T, 3>{p1.x, p1.y, p1.z}, p0, p2) == sign(cosine));
+      CHECK(irg::facing_by_angle(irg::vec<T, 3>{p1.x, p1.y, p1.z}, p0, p2) == sign(cosine));
       std::vector<irg::point<T, 2>> flat;
       for (const auto& q : m.positions) flat.push_back({q.x, q.y});
-      CHECK(irg::side_by_order(flat) == sign(area));
-      CHECK(irg::side_by_order(flat, orientation::clockwise) == sign(E(0) - area));
+      CHECK(irg::facing_by_order(flat) == sign(area));
+      CHECK(irg::facing_by_order(flat, orientation::clockwise) == sign(E(0) - area));
       if (n == 3 && area.sign() != 0)
         CHECK(irg::textbook::is_back_by_edges(flat, orientation::counter_clockwise) == (area.sign() < 0));
     }
@@ -207,11 +208,11 @@ TEST_CASE("back_faces: what cannot be seen, and what is out of range") {
                  {inf, 1, 0}, {1e308, 0, 0}, {0, 1e308, 0}, {0, 5e-324, 0}};
   for (const auto& f : {std::array{0, 1, 2}, {0, 0, 0}, {0, 1, 4}, {0, 1, 5}, {0, 6, 7}, {0, 1, 8}})
     irg::add_face(m, f);
-  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == facing::edge_on);
+  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::facing_of(m, f, hpoint3{0, 0, 1, 1}) == facing::edge_on);
   for (std::size_t f = 4; f < 6; ++f) {
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == facing::front);
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, -1, 1}) == facing::back);
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, nan, 1}) == facing::edge_on);
+    CHECK(irg::facing_of(m, f, hpoint3{0, 0, 1, 1}) == facing::front);
+    CHECK(irg::facing_of(m, f, hpoint3{0, 0, -1, 1}) == facing::back);
+    CHECK(irg::facing_of(m, f, hpoint3{0, 0, nan, 1}) == facing::edge_on);
   }
   CHECK(irg::front_faces(m, hpoint3{0, 0, 1, 1}) == faces{4, 5});
 }
@@ -221,8 +222,8 @@ TEST_CASE("back_faces: rationals and floats") {
   using irg::point;
   const auto plane =
       irg::plane_through(point<Q, 3>{Q(0), Q(0), Q(0)}, point<Q, 3>{Q(1), Q(0), Q(0)}, point<Q, 3>{Q(0), Q(1), Q(0)});
-  CHECK(irg::side_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(1) / Q(1000000007)}) == facing::front);
-  CHECK(irg::side_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(0)}) == facing::edge_on);
+  CHECK(irg::facing_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(1) / Q(1000000007)}) == facing::front);
+  CHECK(irg::facing_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(0)}) == facing::edge_on);
   irg::mesh<float> m;
   m.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   irg::add_face(m, std::array{0, 1, 2});

@@ -50,7 +50,7 @@ bool is_at_border(const irg::screen_face& f, int x, int y) {
   for (int i = 0; i < 3; ++i) {
     const irg::subpixel &a = f.v[i].position, &b = f.v[(i + 1) % 3].position;
     const irg::subpixel p{x * 256 + 128, y * 256 + 128};
-    const double area = static_cast<double>(irg::signed_double_area(a, b, p));
+    const double area = static_cast<double>(irg::twice_signed_area(a, b, p));
     if (std::fabs(area) <= std::abs(b.x - a.x) + std::abs(b.y - a.y) + 1) return true;
   }
   return false;
@@ -59,7 +59,7 @@ double depth_in(const irg::screen_face& f, int x, int y) {
   const auto& [a, b, c] = f.v;
   const irg::subpixel p{x * 256 + 128, y * 256 + 128};
   const auto area = [](const irg::subpixel& r, const irg::subpixel& s, const irg::subpixel& t) {
-    return static_cast<double>(irg::signed_double_area(r, s, t));
+    return static_cast<double>(irg::twice_signed_area(r, s, t));
   };
   return (area(b.position, c.position, p) * static_cast<double>(a.depth) +
           area(c.position, a.position, p) * static_cast<double>(b.depth) +

@@ -42,7 +42,7 @@ constexpr seen_edges seen_of(const irg::grid_surface& s, const irg::point<double
     if (!whole) e.sum += p.from + 2 * p.to;
   });
   e.hidden = static_cast<int>(done.value.hidden);
-  return done.status == irg::grid_surface_status::drawn ? e : seen_edges{-1};
+  return done.status == irg::grid_surface_status::ok ? e : seen_edges{-1};
 }
 
 bool part_before(const grid_edge_part& a, const grid_edge_part& b) {
@@ -127,7 +127,7 @@ TEST_CASE("visible_grid_edges: what is no grid, an eye on the surface, hostile n
   using enum irg::grid_surface_status;
   CHECK_BOTH(status({two, two, level}, {0.5, 0, 0.5}) == eye_on_surface);
   CHECK_BOTH(status({two, two, level}, {1, 0, 1}) == eye_on_surface);
-  CHECK_BOTH(status({two, two, level}, {1.5, 0, 1}) == drawn);
+  CHECK_BOTH(status({two, two, level}, {1.5, 0, 1}) == ok);
   CHECK_BOTH(status({two, equal, level}, {0.5, 1, 0.5}) == not_a_grid);
   CHECK_BOTH(status({one, two, {}}, {0.5, 1, 0.5}) == not_a_grid);
   CHECK_BOTH(status({two, two, one}, {0.5, 1, 0.5}) == not_a_grid);
@@ -136,7 +136,7 @@ TEST_CASE("visible_grid_edges: what is no grid, an eye on the surface, hostile n
   CHECK_BOTH(status({two, two, level}, {0.5, std::numeric_limits<double>::quiet_NaN(), 0.5}) == not_a_grid);
   CHECK_BOTH(seen_of({two, two, level}, {0.5, 1, 0.5}) == seen_edges{4, 0, 0, 0});
   CHECK_BOTH(seen_of({two, two, level}, {-1, 0, 0.5}) == seen_edges{4, 0, 0, 0});
-  CHECK(status({two, two, huge}, {-1e300, 5e-324, 1e300}) == drawn);
+  CHECK(status({two, two, huge}, {-1e300, 5e-324, 1e300}) == ok);
 }
 
 TEST_CASE("visible_grid_edges: grid points in one direction, of which the perimeter has one") {
@@ -159,7 +159,7 @@ TEST_CASE("visible_grid_edges: against the definition, all views") {
     std::vector<grid_edge_part> parts;
     const auto done = irg::visible_grid_edges(s.surface(), s.eye, [&](const grid_edge_part& p) { parts.push_back(p); });
     if (oracle.on_surface() != (done.status == irg::grid_surface_status::eye_on_surface)) ++wrong;
-    if (done.status != irg::grid_surface_status::drawn) {
+    if (done.status != irg::grid_surface_status::ok) {
       ++refused;
       continue;
     }

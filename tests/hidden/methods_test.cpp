@@ -21,7 +21,7 @@ int number_from(const char* variable, int otherwise) {
   return text == nullptr ? otherwise : std::atoi(text);
 }
 
-// The textbook's z-buffer with the depths of draw_triangle, which are compared as they are.
+// The textbook's z-buffer with the depths of shade_triangle, which are compared as they are.
 test::id_image zbuffer_ids(const test::face_list& faces, int size) {
   test::id_image ids(size, size, irg::no_face);
   irg::image<float> depth(size, size);

@@ -31,7 +31,7 @@ struct bodies {
       const auto q = place * p;
       corners.push_back({q.x, q.y, q.z});
     }
-    const irg::mesh<double> cut = irg::triangulate(shape);
+    const irg::mesh<double> cut = irg::triangulated(shape);
     for (std::size_t f = 0; f < cut.face_count(); ++f) {
       triangles.push_back(
           {{first + cut.corner(f, 0).position, first + cut.corner(f, 1).position, first + cut.corner(f, 2).position}});

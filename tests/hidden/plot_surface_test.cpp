@@ -57,26 +57,28 @@ TEST_CASE("plot_surface: which method, and why") {
   irg::height_grid g = ripples(21);
   const auto method = [&](const surface_plot_options& o) {
     const auto p = plot_surface(g.surface(), o);
-    CHECK(p.is_ordinary());
+    CHECK(p.ok());
     CHECK(std::string(p.value.why).size() > 20);
     return p.value.method;
   };
   CHECK(method({}) == surface_method::perimeter);
-  CHECK(method({.elevation = 85}) == surface_method::perimeter);
+  CHECK(method({.elevation_degrees = 85}) == surface_method::perimeter);
   CHECK(method({.style = surface_style::facets}) == surface_method::facets_far_to_near);
   g.heights[100] = gap;
   CHECK(method({}) == surface_method::floating_horizon);
-  CHECK(method({.elevation = 89}) == surface_method::facets_far_to_near);
+  CHECK(method({.elevation_degrees = 89}) == surface_method::facets_far_to_near);
 }
 
 TEST_CASE("plot_surface: labels in the picture, none on another, from everywhere, in small pictures too") {
   const irg::height_grid g = ripples(9);
   for (int azimuth = -180; azimuth <= 180; azimuth += 20)
     for (const int elevation : {-70, -25, 0, 10, 30, 60, 88}) {
-      const auto p = plot_surface(
-          g.surface(),
-          {.azimuth = azimuth + 0.0, .elevation = elevation + 0.0, .x = "length of it", .y = "height", .z = "width"});
-      REQUIRE(p.is_ordinary());
+      const auto p = plot_surface(g.surface(), {.azimuth_degrees = azimuth + 0.0,
+                                                .elevation_degrees = elevation + 0.0,
+                                                .x = "length of it",
+                                                .y = "height",
+                                                .z = "width"});
+      REQUIRE(p.ok());
       CHECK(unreadable(p.value) == 0);
       CHECK(p.value.labels.size() >= 9);
       for (const irg::plot_line& l : p.value.lines)
@@ -100,16 +102,16 @@ TEST_CASE("plot_surface: what is no surface, options out of range") {
   irg::height_grid g = ripples(3);
   const auto refused = [&](const surface_plot_options& o) { return plot_surface(g.surface(), o).status; };
   CHECK(refused({.width = 0}) == grid_surface_status::not_a_grid);
-  CHECK(refused({.azimuth = gap}) == grid_surface_status::not_a_grid);
+  CHECK(refused({.azimuth_degrees = gap}) == grid_surface_status::not_a_grid);
   CHECK(refused({.distance = 0}) == grid_surface_status::not_a_grid);
   CHECK(refused({.tallness = -1}) == grid_surface_status::not_a_grid);
   CHECK(plot_surface(irg::grid_surface{}).status == grid_surface_status::not_a_grid);
   for (double& h : g.heights) h = gap;
   CHECK(refused({}) == grid_surface_status::not_a_grid);
   for (double& h : g.heights) h = 7;  // level: one tick on its axis
-  CHECK(plot_surface(g.surface()).is_ordinary());
+  CHECK(plot_surface(g.surface()).ok());
   for (std::size_t k = 0; k < g.heights.size(); ++k) g.heights[k] = k % 2 == 0 ? 1e307 : -1e307;
-  CHECK(plot_surface(g.surface()).is_ordinary());
+  CHECK(plot_surface(g.surface()).ok());
   g.z[1] = g.z[0];
   CHECK(refused({}) == grid_surface_status::not_a_grid);
 }
@@ -119,8 +121,8 @@ TEST_CASE("plot_surface: a level surface from straight above and below") {
     for (const double elevation : {90.0, -90.0, 60.0}) {
       const irg::height_grid level =
           irg::sample_heights([&](double, double) { return height; }, sample_range{0, 2, 3}, sample_range{0, 2, 3});
-      const auto p = plot_surface(level.surface(), {.elevation = elevation, .distance = 0.9});
-      CHECK(p.is_ordinary());
+      const auto p = plot_surface(level.surface(), {.elevation_degrees = elevation, .distance = 0.9});
+      CHECK(p.ok());
       CHECK(p.value.lines.size() == 12);
     }
 }
@@ -136,7 +138,7 @@ TEST_CASE("plot_surface: an eye near the largest number is one, one beyond it ha
   for (const surface_style style : {surface_style::lines, surface_style::facets})
     for (const bool has_gap : {false, true}) {
       const auto far = plot(1e308, 1.1e308, style, has_gap), near = plot(10, 11, style, has_gap);
-      CHECK(far.is_ordinary());
+      CHECK(far.ok());
       CHECK(far.value.lines.size() == near.value.lines.size());
       REQUIRE(far.value.facets.size() == near.value.facets.size());
       for (std::size_t i = 0; i < far.value.facets.size(); ++i)
@@ -167,7 +169,7 @@ TEST_CASE("perimeter and floating horizon: one picture, apart from roundings") {
     const irg::grid_surface surface{places, places, heights};
     const auto done = visible_grid_edges(
         surface, eye, [&](const irg::grid_edge_part& p) { seen[{p.i1, p.j1, p.i2, p.j2}] += p.to - p.from; });
-    REQUIRE(done.is_ordinary());
+    REQUIRE(done.ok());
     irg::horizon_view v{1, 1, 0, 0, n, n};
     const auto curves = irg::horizon_curves_from(height_at, v, eye);
     // Which edge of the grid each step is: visited in the same order.
@@ -202,7 +204,7 @@ TEST_CASE("draw_plot: something where lines, facets and texts are, the paper els
   for (const auto style : {irg::surface_style::lines, irg::surface_style::facets}) {
     const auto plot =
         irg::plot_surface(g.surface(), irg::surface_plot_options{.width = 240, .height = 180, .style = style});
-    REQUIRE(plot.is_ordinary());
+    REQUIRE(plot.ok());
     irg::image<irg::rgba8> picture(240, 180, paper);
     irg::draw_plot(picture, plot.value);
     const auto is_inked = [&](const irg::point<double, 2>& at) {

@@ -39,7 +39,7 @@ std::string outcome(std::string_view text) {
   const auto r = read_body_xml(text);
   if (r) {
     for (const body& b : *r) REQUIRE(irg::validate(b.shape) == irg::mesh_finding{});
-    REQUIRE(irg::validate(irg::mesh_of_bodies(*r)) == irg::mesh_finding{});
+    REQUIRE(irg::validate(irg::to_mesh(*r)) == irg::mesh_finding{});
     return "";
   }
   REQUIRE(test::place_exists(text, r.error()));
@@ -86,7 +86,7 @@ TEST_CASE("body xml: several bodies make one mesh of parts") {
   const auto r = read_body_xml("<bodies>" + one + one + "<body name='none'><points/><faces/></body></bodies>");
   REQUIRE(r);
   REQUIRE(r->size() == 3);
-  const auto m = irg::mesh_of_bodies(*r);
+  const auto m = irg::to_mesh(*r);
   CHECK(irg::validate(m) == irg::mesh_finding{});
   CHECK(m.positions.size() == 6);
   CHECK(m.corner(2, 2).position == 5);
@@ -318,7 +318,7 @@ TEST_CASE("body xml: damage is noticed or leaves sound bodies") {
   const auto read = [](std::string_view s) -> irg::result<irg::mesh<double>> {
     const auto bodies = read_body_xml(s);
     if (!bodies) return bodies.error();
-    return irg::mesh_of_bodies(*bodies);
+    return irg::to_mesh(*bodies);
   };
   CHECK(test::damage(std::string(triangle), read, 6000, 1) == static_cast<int>(triangle.size()) - 1);
   test::damage("<body><o:a>b&amp;<![CDATA[<c>]]>d<e f='g'>h</e></o:a><points/><faces/></body>", read, 6000, 2);

@@ -40,15 +40,15 @@ struct scratch {
 };
 
 std::string why_unread(const std::string& path) {
-  const auto r = irg::read_file(path);
+  const auto r = irg::load_file(path);
   REQUIRE(!r);
   CHECK(r.error().line == 0);
   CHECK(r.error().column == 0);
   return r.error().message;
 }
 std::string why_unwritten(const std::string& path, std::string_view bytes) {
-  const auto error = irg::write_file_atomically(path, bytes);
-  return error ? error->message : "";
+  const auto saved = irg::save_file(path, bytes);
+  return saved ? "" : saved.error().message;
 }
 
 }  // namespace
@@ -59,14 +59,14 @@ TEST_CASE("file: what is written is read") {
     std::string bytes(size, '\0');
     for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<char>(i * 7 + i / 256);
     CHECK(why_unwritten(folder / "a", bytes).empty());
-    const auto r = irg::read_file(folder / "a");
+    const auto r = irg::load_file(folder / "a");
     REQUIRE(r);
     CHECK(*r == bytes);
     CHECK(folder.entries() == 1);
   }
   const std::vector<std::uint8_t> raw = {0, 255, 10, 13, 26};
-  CHECK(!irg::write_file_atomically(folder / "a", raw));
-  CHECK(*irg::read_file(folder / "a") == std::string("\0\xFF\n\r\x1A", 5));
+  CHECK(irg::save_file(folder / "a", raw));
+  CHECK(*irg::load_file(folder / "a") == std::string("\0\xFF\n\r\x1A", 5));
 }
 
 TEST_CASE("file: what cannot be read is said in a sentence") {
@@ -98,7 +98,7 @@ TEST_CASE("file: a failed write leaves everything as it was") {
   CHECK(why_unwritten(folder.path.string(), "x") == "path is a directory, not a file");
   CHECK(why_unwritten((folder / "a") + "/b", "x") == "a part of the path is not a directory");
   CHECK(folder.entries() == 1);
-  CHECK(*irg::read_file(folder / "a") == "old");
+  CHECK(*irg::load_file(folder / "a") == "old");
 #if defined(__unix__)
   if (fs::exists("/dev/full")) CHECK(why_unwritten("/dev/full", "x") == "not all bytes could be written");
   CHECK(why_unwritten("/dev/null", "x").empty());
@@ -115,7 +115,7 @@ TEST_CASE("file: a failed write leaves everything as it was") {
   std::signal(SIGXFSZ, SIG_DFL);
   CHECK(why == "not all bytes could be written");
   CHECK(folder.entries() == 1);
-  CHECK(*irg::read_file(folder / "a") == "old");
+  CHECK(*irg::load_file(folder / "a") == "old");
 #endif
 }
 
@@ -123,13 +123,13 @@ TEST_CASE("file: a writer takes a name of its own and follows links") {
   const scratch folder;
   CHECK(why_unwritten(folder / "a.0.part", "another writer's").empty());
   CHECK(why_unwritten(folder / "a", "new").empty());
-  CHECK(*irg::read_file(folder / "a.0.part") == "another writer's");
-  CHECK(*irg::read_file(folder / "a") == "new");
+  CHECK(*irg::load_file(folder / "a.0.part") == "another writer's");
+  CHECK(*irg::load_file(folder / "a") == "new");
 #if defined(__unix__)
   fs::create_symlink(folder / "a", folder / "link");
   CHECK(why_unwritten(folder / "link", "through").empty());
   CHECK(fs::is_symlink(folder / "link"));
-  CHECK(*irg::read_file(folder / "a") == "through");
+  CHECK(*irg::load_file(folder / "a") == "through");
 #endif
   CHECK(folder.entries() == 3 - (fs::exists(folder / "link") ? 0 : 1));
 }

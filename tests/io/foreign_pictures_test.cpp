@@ -114,6 +114,7 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
     static_cast<void>(
         irg::fill_polygons(picture, std::vector<std::vector<P>>{ring}, irg::fill_rule::non_zero, grey{200}));
   });
+  call("draw_polygon", [&] { irg::draw_polygon(picture, cells{{1, 1}, {20, 3}, {7, 12}}, grey{200}); });
   call("draw_polyline", [&] { irg::draw_polyline(picture, cells{{1, 1}, {20, 3}, {7, 12}}, grey{200}); });
   call("draw_line_aa", [&] { irg::draw_line_aa(picture, a, b, grey{200}); });
   call("draw_line_wu", [&] { irg::draw_line_wu(picture, a, c, grey{200}); });
@@ -139,7 +140,7 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
     auto part = irg::within(picture, irg::cell_window{4, 4, 12, 12});
     irg::fill_circle(part, {9, 8}, 6, grey{200});
   });
-  call("convert_pixels", [&] { irg::convert_pixels(irg::image<grey>(width, height, grey{7}), picture); });
+  call("convert_into", [&] { irg::convert_into(picture, irg::image<grey>(width, height, grey{7})); });
 
   irg::clear(picture, grey{10});
   irg::fill_circle(picture, {9, 8}, 6, grey{200});
@@ -151,11 +152,11 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
   said("encode_pgm", *irg::encode_pgm(picture));
   said("encode_ppm", *irg::encode_ppm(picture));
   said("encode_svg", *irg::encode_svg(picture));
-  said("encode_picture", *irg::encode_picture(picture, irg::picture_format::ppm));
+  said("encode_image", *irg::encode_image(picture, irg::image_format::ppm));
   const std::vector<R> pictures{picture, picture};
   said("encode_animation", *irg::encode_animation(std::span<const R>(pictures)));
-  called.insert("write_image");
-  CHECK(irg::write_image("foreign.jpg", picture).has_value());  // said to be no format of irg's
+  called.insert("save_image");
+  CHECK(!irg::save_image("foreign.jpg", picture).has_value());  // said to be no format of irg's
   const auto told = [&](const char* name, const auto&... number) {
     called.insert(name);
     seen.push_back((name + ... + (" " + std::to_string(number))));
@@ -166,7 +167,7 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
   told("heights_of_image", irg::heights_of_image(picture, [](grey g) { return g / 255.0; }).heights[200]);
   told("grid_from_raster", irg::grid_from_raster(picture, [](grey g) { return g > 100; }).is_full({9, 8, 0}));
   told("viewshed", irg::viewshed(picture, {2, 2}).is_full({3, 3, 0}));
-  told("see_over", irg::see_over(picture, {1, 8}, {20, 8}));
+  told("has_line_of_sight", irg::has_line_of_sight(picture, {1, 8}, {20, 8}));
   told("width_of", irg::width_of(picture));
   told("height_of", irg::height_of(picture));
   told("get_pixel", irg::get_pixel(picture, 9, 8));
@@ -216,7 +217,7 @@ TEST_CASE("foreign meshes: every function of meshes") {
   call("to_mesh", irg::to_mesh<double>(m).face_count() == 4);
   call("is_closed", irg::is_closed(m));
   call("fit_of", irg::fit_of(m).scale > 0);
-  call("enclosing_box", irg::enclosing_box(m).high.x == 2);
-  call("sphere_around", irg::sphere_around(m).radius > 1);
+  call("bounding_box", irg::bounding_box(m).high.x == 2);
+  call("bounding_sphere_of", irg::bounding_sphere_of(m).radius > 1);
   CHECK(names_of_page("| function of meshes") == called);
 }

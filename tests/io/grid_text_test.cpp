@@ -68,14 +68,14 @@ TEST_CASE("read_grid: what is wrong, and where") {
   refused("2 1 1\n..\nfloor\n", 3, 1, "coordinate");
 }
 
-TEST_CASE("read_grid: what write_grid wrote") {
+TEST_CASE("read_grid: what encode_grid wrote") {
   test::random r(3);
   for (int i = 0; i < 100; ++i) {
     const irg::walled_grid g = test::random_map(
         r, {static_cast<int>(r.integer(1, 70)), static_cast<int>(r.integer(1, 5)), 1 + i % 3}, 40, i % 2 * 10);
     std::vector<cell3> units;
     if (!g.is_full({0, 0, 0})) units.push_back({0, 0, 0});
-    const auto back = irg::read_grid(irg::write_grid(g, units));
+    const auto back = irg::read_grid(irg::encode_grid(g, units));
     REQUIRE(back);
     CHECK(back->grid.cells() == g.cells());
     CHECK(back->units == units);

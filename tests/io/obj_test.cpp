@@ -57,7 +57,7 @@ std::string outcome(text s, irg::obj_options options = {}) {
     check_pieces<double>(s, options, s.size() / 3 + 1, from_the_end{});
   if (r) {
     REQUIRE(irg::validate(*r) == irg::mesh_finding{});
-    const mesh triangles = irg::triangulate(*r);
+    const mesh triangles = irg::triangulated(*r);
     REQUIRE(irg::validate(triangles) == irg::mesh_finding{});
     REQUIRE(triangles.face_count() == r->corners.size() - 2 * r->face_count());
     return "";
@@ -361,7 +361,7 @@ TEST_CASE("obj: polygons stay as they are written; triangulation keeps their are
     const mesh m = of(c.s);
     CHECK(m.face_count() == 1);
     CHECK(area(m) == c.twice_area);
-    CHECK(area(irg::triangulate(m)) == c.twice_area);
+    CHECK(area(irg::triangulated(m)) == c.twice_area);
   }
 }
 
@@ -814,7 +814,7 @@ TEST_CASE("obj: real models") {
     CHECK(m.positions.size() == model.vertices);
     CHECK(m.face_count() == model.faces);
     CHECK(edge_uses(m) == std::tuple{model.once, model.twice, model.more});
-    if (model.triangles != 0) CHECK(irg::triangulate(m).face_count() == model.triangles);
+    if (model.triangles != 0) CHECK(irg::triangulated(m).face_count() == model.triangles);
     const auto as_float = read_obj<float>(s);
     REQUIRE(as_float);
     REQUIRE(as_float->corners == m.corners);

@@ -12,7 +12,7 @@ TEST_CASE("write_svg_plot: a line for each line, a region for each facet, stroke
                                      irg::sample_range{0, 1, 3});
   for (const auto style : {irg::surface_style::lines, irg::surface_style::facets}) {
     const auto plot = irg::plot_surface(g.surface(), irg::surface_plot_options{.style = style});
-    REQUIRE(plot.is_ordinary());
+    REQUIRE(plot.ok());
     std::string text;
     auto sink = [&](std::string_view piece) { text += piece; };
     irg::write_svg_plot(sink, plot.value);

@@ -77,10 +77,10 @@ TEST_CASE("length: ends of the range") {
 }
 
 TEST_CASE("length: no direction") {
-  CHECK_BOTH(!try_normalize(vec<double, 3>{}));
-  CHECK_BOTH(!try_normalize(vec<double, 3>{0, -0.0, 0}));
-  CHECK_BOTH(!try_normalize(vec<double, 3>{1, nan_, 0}));
-  CHECK_BOTH(!try_normalize(vec<double, 3>{inf, 0, 0}));
+  CHECK_BOTH(!try_normalized(vec<double, 3>{}));
+  CHECK_BOTH(!try_normalized(vec<double, 3>{0, -0.0, 0}));
+  CHECK_BOTH(!try_normalized(vec<double, 3>{1, nan_, 0}));
+  CHECK_BOTH(!try_normalized(vec<double, 3>{inf, 0, 0}));
   CHECK_BOTH(is_zero(normalized(vec<double, 3>{})));
   CHECK_BOTH(is_zero(normalized(vec<float, 3>{0, std::numeric_limits<float>::quiet_NaN(), 1})));
   CHECK_BOTH(is_zero(normalized_fast(vec<double, 3>{})));

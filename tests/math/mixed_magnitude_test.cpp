@@ -56,9 +56,9 @@ void sweep_vectors(const std::string& type, double length_bound, double unit_bou
     measure(v);
     return test::ulp_error(length(v), length_of_v);
   });
-  sweep("try_normalize, " + type, unit_bound, [&](test::random& r, sizes which) {
+  sweep("try_normalized, " + type, unit_bound, [&](test::random& r, sizes which) {
     const auto v = vector<T, N>(r, which);
-    const auto unit = try_normalize(v);
+    const auto unit = try_normalized(v);
     measure(v);
     double worst = 0;
     for (int i = 0; unit && i < N; ++i) {

@@ -36,7 +36,7 @@ TEST_CASE("Euler operators: each and the one that undoes it, at compile time, to
     const auto h = irg::make_edge_vertex<double>(b, first, last, {0, 0, 0});
     const auto split = irg::counts_of(b);
     return split == irg::half_edge_counts{5, 7, 4, 0, 1, 0, 0} && irg::kill_edge_vertex(b, h) &&
-           irg::counts_of(b) == irg::counts_of(before) && irg::from_half_edges(b).face_count() == 4;
+           irg::counts_of(b) == irg::counts_of(before) && irg::to_mesh(b).face_count() == 4;
   }());
   CHECK_BOTH([] {  // an edge goes and comes
     body b = tetrahedron();

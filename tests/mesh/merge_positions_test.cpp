@@ -15,7 +15,7 @@
 
 namespace {
 
-using irg::merge_positions;
+using irg::with_merged_positions;
 
 template <class T>
 constexpr irg::mesh<T> two_triangles(irg::point<T, 3> a, irg::point<T, 3> b) {
@@ -28,26 +28,27 @@ constexpr irg::mesh<T> two_triangles(irg::point<T, 3> a, irg::point<T, 3> b) {
 
 }  // namespace
 
-TEST_CASE("merge_positions: equal positions become the first of them, at compile time, too") {
+TEST_CASE("with_merged_positions: equal positions become the first of them, at compile time, too") {
   CHECK_BOTH([] {
-    const auto m = merge_positions(two_triangles<double>({5, 5, 5}, {0, 0, 0}));
+    const auto m = with_merged_positions(two_triangles<double>({5, 5, 5}, {0, 0, 0}));
     return m.positions == std::vector<irg::point<double, 3>>{{0, 0, 0}, {1, 0, 0}, {5, 5, 5}, {0, 1, 0}} &&
            m.corner(1, 0).position == 0 && m.corner(1, 1).position == 1 && m.corner(1, 2).position == 3;
   }());
-  CHECK_BOTH(merge_positions(irg::mesh<float>{}) == irg::mesh<float>{});
+  CHECK_BOTH(with_merged_positions(irg::mesh<float>{}) == irg::mesh<float>{});
   // -0 is 0, but neighbours in the last place are not the same
-  CHECK_BOTH(merge_positions(two_triangles<float>({-0.0f, -0.0f, 0}, {0, 0, -0.0f})).positions.size() == 3);
-  CHECK_BOTH(merge_positions(two_triangles<double>({0, 0, 5e-324}, {0, 0, 0})).positions.size() == 4);
-  CHECK_BOTH(merge_positions(two_triangles<double>({1e300, 1e-300, 0}, {1e300, 0, 1e-300})).positions.size() == 5);
+  CHECK_BOTH(with_merged_positions(two_triangles<float>({-0.0f, -0.0f, 0}, {0, 0, -0.0f})).positions.size() == 3);
+  CHECK_BOTH(with_merged_positions(two_triangles<double>({0, 0, 5e-324}, {0, 0, 0})).positions.size() == 4);
+  CHECK_BOTH(with_merged_positions(two_triangles<double>({1e300, 1e-300, 0}, {1e300, 0, 1e-300})).positions.size() ==
+             5);
 }
 
-TEST_CASE("merge_positions: what is no number stays apart and breaks no order") {
+TEST_CASE("with_merged_positions: what is no number stays apart and breaks no order") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto m = merge_positions(two_triangles<double>({nan, 0, 0}, {nan, 0, 0}));
+  const auto m = with_merged_positions(two_triangles<double>({nan, 0, 0}, {nan, 0, 0}));
   CHECK(m.positions.size() == 4);
 }
 
-TEST_CASE("merge_positions: a map from numbers to places says the same") {
+TEST_CASE("with_merged_positions: a map from numbers to places says the same") {
   test::random r(20);
   for (int trial = 0; trial < 300; ++trial) {
     irg::mesh<double> m;
@@ -72,11 +73,11 @@ TEST_CASE("merge_positions: a map from numbers to places says the same") {
     }
     expected.positions = kept;
     for (irg::mesh_corner& c : expected.corners) c.position = to[c.position];
-    CHECK(merge_positions(m) == expected);
+    CHECK(with_merged_positions(m) == expected);
   }
 }
 
-TEST_CASE("merge_positions: a closed body whose faces were torn apart is whole again") {
+TEST_CASE("with_merged_positions: a closed body whose faces were torn apart is whole again") {
   const irg::mesh<float> sphere = irg::shape_sphere<float>();
   irg::mesh<float> torn = sphere;
   torn.positions.clear();
@@ -84,5 +85,5 @@ TEST_CASE("merge_positions: a closed body whose faces were torn apart is whole a
     torn.positions.push_back(sphere.positions[c.position]);
     c.position = static_cast<std::uint32_t>(torn.positions.size() - 1);
   }
-  CHECK(test::in_order_of_use(merge_positions(torn)) == test::in_order_of_use(sphere));
+  CHECK(test::in_order_of_use(with_merged_positions(torn)) == test::in_order_of_use(sphere));
 }

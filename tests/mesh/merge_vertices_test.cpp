@@ -79,7 +79,7 @@ TEST_CASE("merge_vertices: a map from numbers to places says the same, and nothi
         for (int i = 0; i < 2; ++i) k.push_back(m.texcoords[c.texcoord][i]);
       return k;
     };
-    const auto triangles = irg::triangulate(m);
+    const auto triangles = irg::triangulated(m);
     std::map<std::vector<double>, std::uint32_t> places;
     REQUIRE(merged.triangles.size() == triangles.face_count());
     for (std::size_t i = 0; i < triangles.corners.size(); ++i) {

@@ -146,12 +146,12 @@ TEST_CASE("teapot: consistently oriented, with the right borders and topology") 
 }
 
 TEST_CASE("teapot: extents") {
-  const auto b = enclosing_box(with_bottom(10));
+  const auto b = bounding_box(with_bottom(10));
   CHECK(b.low == P3{-3, 0, -2});
   CHECK(b.high.x == doctest::Approx(3.434).epsilon(1e-6));
   CHECK(b.high.y == 3.15);
   CHECK(b.high.z == 2);
-  CHECK(enclosing_box(without_bottom(10)).low.y == 0.15);
+  CHECK(bounding_box(without_bottom(10)).low.y == 0.15);
 }
 
 TEST_CASE("teapot: its own mirror image in z, positions and normals, bit for bit") {

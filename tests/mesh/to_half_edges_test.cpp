@@ -34,16 +34,16 @@ constexpr half_edge_status status_of(const irg::mesh<double>& m) { return irg::t
 
 void check_round_trip(const irg::mesh<double>& m) {
   const auto b = irg::to_half_edges(m);
-  REQUIRE(b.status == half_edge_status::done);
+  REQUIRE(b.status == half_edge_status::ok);
   CHECK(test::is_sound(b.value));
-  CHECK(irg::from_half_edges(b.value) == m);
+  CHECK(irg::to_mesh(b.value) == m);
 }
 
 }  // namespace
 
 TEST_CASE("to_half_edges: what is no surface is refused, at compile time, too") {
-  CHECK_BOTH(status_of(faces_of(3, face{0, 1, 2})) == half_edge_status::done);
-  CHECK_BOTH(status_of(irg::mesh<double>{}) == half_edge_status::done);
+  CHECK_BOTH(status_of(faces_of(3, face{0, 1, 2})) == half_edge_status::ok);
+  CHECK_BOTH(status_of(irg::mesh<double>{}) == half_edge_status::ok);
   CHECK_BOTH(status_of(faces_of(4, face{0, 1, 2}, face{0, 1, 3})) == half_edge_status::faces_turned_apart);
   CHECK_BOTH(status_of(faces_of(5, face{0, 1, 2}, face{1, 0, 3}, face{0, 1, 4})) ==
              half_edge_status::edge_of_many_faces);
@@ -51,7 +51,7 @@ TEST_CASE("to_half_edges: what is no surface is refused, at compile time, too") 
              half_edge_status::edge_of_many_faces);
   CHECK_BOTH(status_of(faces_of(5, face{0, 1, 2}, face{0, 3, 4})) == half_edge_status::vertex_of_many_fans);
   CHECK_BOTH(status_of(faces_of(3, face{0, 0, 1, 2})) == half_edge_status::corner_repeated);
-  CHECK_BOTH(status_of(faces_of(3, face{0, 1, 2}, face{2, 1, 0})) == half_edge_status::done);  // a pillow
+  CHECK_BOTH(status_of(faces_of(3, face{0, 1, 2}, face{2, 1, 0})) == half_edge_status::ok);  // a pillow
 }
 
 TEST_CASE("to_half_edges: back again everything is as it was") {
@@ -79,7 +79,7 @@ TEST_CASE("to_half_edges: a vertex of 20,000 faces takes no longer than others")
   for (int i = n - 1; i > 0; --i) std::swap(order[std::size_t(i)], order[std::size_t(r.integer(0, i))]);
   for (const int i : order) irg::add_face(m, face{0, 1 + i, 1 + (i + 1) % n});
   const auto b = irg::to_half_edges(m);
-  CHECK(b.status == half_edge_status::done);
+  CHECK(b.status == half_edge_status::ok);
   CHECK(irg::counts_of(b.value) == irg::half_edge_counts{n + 1, 2 * n, n, 0, 1, 1, 0});
 }
 
@@ -89,9 +89,9 @@ TEST_CASE("to_half_edges: one face that has a vertex as a corner 20,000 times") 
   for (int i = 1; i <= n; ++i) star.insert(star.end(), {0, i});
   const auto m = faces_of(n + 1, star);
   const auto b = irg::to_half_edges(m);
-  REQUIRE(b.status == half_edge_status::done);  // to and fro along each edge: a sphere
+  REQUIRE(b.status == half_edge_status::ok);  // to and fro along each edge: a sphere
   CHECK(irg::counts_of(b.value) == irg::half_edge_counts{n + 1, n, 1, 0, 1, 0, 0});
-  CHECK(irg::from_half_edges(b.value) == m);
+  CHECK(irg::to_mesh(b.value) == m);
   // What is wrong first is the reason, and no more is looked at.
   for (int i = 0; i < n; ++i) three.insert(three.end(), {0, 1, 2});
   CHECK(status_of(faces_of(3, three)) == half_edge_status::faces_turned_apart);
@@ -116,7 +116,7 @@ TEST_CASE("to_half_edges: done exactly where list_faults knows nothing but borde
                    (f.kind == irg::mesh_fault_kind::open_edge || f.kind == irg::mesh_fault_kind::face_without_area ||
                     f.kind == irg::mesh_fault_kind::position_unused);
     const auto b = irg::to_half_edges(m);
-    CHECK((b.status == half_edge_status::done) == is_surface);
+    CHECK((b.status == half_edge_status::ok) == is_surface);
     CHECK(test::is_sound(b.value));
     is_surface ? ++done : ++refused;
   }

@@ -84,7 +84,7 @@ ring scaled(ring r) {
 /// once if they lie in it, which sample points decide.
 template <class T>
 void check_simple(const ring& r, const placement<T>& place = {}) {
-  const irg::mesh<T> m = irg::triangulate(face_of<T>(r, place));
+  const irg::mesh<T> m = irg::triangulated(face_of<T>(r, place));
   REQUIRE(irg::validate(m) == irg::mesh_finding{});
   const auto triangles = triangles_of(m, r);
   REQUIRE(triangles.size() == r.size() - 2);
@@ -115,7 +115,7 @@ void check_simple(const ring& r, const placement<T>& place = {}) {
 
 /// Signed areas agree for every polygon, simple or not.
 void check_any(const ring& r) {
-  const irg::mesh<double> m = irg::triangulate(face_of<double>(r));
+  const irg::mesh<double> m = irg::triangulated(face_of<double>(r));
   REQUIRE(irg::validate(m) == irg::mesh_finding{});
   std::int64_t sum = 0;
   for (const ring& t : triangles_of(m, r)) sum += twice_area(t);
@@ -223,16 +223,16 @@ constexpr std::uint64_t digest(const irg::mesh<T>& m) {
 }  // namespace
 
 TEST_CASE("triangulate: at compile time as at run time") {
-  constexpr std::uint64_t ordinary = digest(irg::triangulate(l_shape(false)));
-  constexpr std::uint64_t other_way = digest(irg::triangulate(l_shape(true)));
-  CHECK(digest(irg::triangulate(l_shape(false))) == ordinary);
-  CHECK(digest(irg::triangulate(l_shape(true))) == other_way);
-  CHECK_BOTH(irg::triangulate(irg::mesh<float>{}) == irg::mesh<float>{});
+  constexpr std::uint64_t ordinary = digest(irg::triangulated(l_shape(false)));
+  constexpr std::uint64_t other_way = digest(irg::triangulated(l_shape(true)));
+  CHECK(digest(irg::triangulated(l_shape(false))) == ordinary);
+  CHECK(digest(irg::triangulated(l_shape(true))) == other_way);
+  CHECK_BOTH(irg::triangulated(irg::mesh<float>{}) == irg::mesh<float>{});
   constexpr auto degenerate = [] {
     irg::mesh<float> m;
     m.positions.push_back({1, 2, 3});
     irg::add_face(m, std::initializer_list<int>{0, 0, 0, 0, 0});
-    return irg::triangulate(m).face_count();
+    return irg::triangulated(m).face_count();
   };
   CHECK_BOTH(degenerate() == 3);
   constexpr auto hostile = [](double hair) {  // the widest square there is; corner 3 lies off its diagonal by a hair
@@ -241,7 +241,7 @@ TEST_CASE("triangulate: at compile time as at run time") {
     for (const auto& p : {irg::point<double, 3>{-huge, -huge, 0}, {huge, -huge, 0}, {huge, huge, 0}, {-hair, hair, 0}})
       m.positions.push_back(p);
     irg::add_face(m, std::initializer_list<int>{0, 1, 2, 3});
-    const auto t = irg::triangulate(m);
+    const auto t = irg::triangulated(m);
     return t.corner(0, 0).position * 100 + t.corner(0, 1).position * 10 + t.corner(0, 2).position;
   };
   CHECK_BOTH(hostile(0x1p-1074) == 12);   // convex: the diagonal 0 2
@@ -257,11 +257,11 @@ TEST_CASE("triangulate: an L by hand") {
 
 TEST_CASE("triangulate: convex faces are fans, triangles stay") {
   irg::mesh<double> m = face_of<double>({{0, 0}, {3, 0}, {4, 2}, {2, 4}, {-1, 2}});
-  const auto t = irg::triangulate(m);
+  const auto t = irg::triangulated(m);
   REQUIRE(t.face_count() == 3);
   for (std::uint32_t f = 0; f < 3; ++f)
     for (std::uint32_t k = 0; k < 3; ++k) CHECK(t.corner(f, k).position == (k == 0 ? 0 : f + k));
-  CHECK(irg::triangulate(t) == t);
+  CHECK(irg::triangulated(t) == t);
 }
 
 TEST_CASE("triangulate: corners keep their normals and texture coordinates, parts their faces") {
@@ -273,7 +273,7 @@ TEST_CASE("triangulate: corners keep their normals and texture coordinates, part
   for (std::uint32_t i = 0; i < 12; ++i) m.corners[i].normal = i, m.corners[i].texcoord = 11 - i;
   m.parts = {{"a", "", "", 0, 0}, {"b", "", "", 0, 1}, {"c", "", "", 1, 0}, {"d", "", "", 1, 2}, {"e", "", "", 3, 0}};
   REQUIRE(irg::validate(m) == irg::mesh_finding{});
-  const auto t = irg::triangulate(m);
+  const auto t = irg::triangulated(m);
   CHECK(irg::validate(t) == irg::mesh_finding{});
   CHECK(t.face_count() == 3 + 1 + 2);
   CHECK(t.parts ==
@@ -374,7 +374,7 @@ TEST_CASE("triangulate: faces that touch themselves") {
   // A spike has no area: it goes without leaving triangles that turn the other way.
   ring spiked = {{0, 0}, {4, 0}, {4, 4}, {9, 9}, {4, 4}, {1, 3}, {0, 4}};
   for (std::size_t start = 0; start < spiked.size(); ++start) {
-    for (const ring& t : triangles_of(irg::triangulate(face_of<double>(spiked)), spiked)) CHECK(twice_area(t) >= 0);
+    for (const ring& t : triangles_of(irg::triangulated(face_of<double>(spiked)), spiked)) CHECK(twice_area(t) >= 0);
     std::rotate(spiked.begin(), spiked.begin() + 1, spiked.end());
   }
   check_any({{0, 0}, {4, 0}, {4, 4}, {9, 9}, {4, 4}, {0, 4}});  // spike
@@ -404,7 +404,7 @@ TEST_CASE("triangulate: decisions are exact where rounded arithmetic fails") {
           m.positions.push_back({p.x * scale, p.y * scale, 0});
         irg::add_face(m, std::vector<int>{0, 1, 2, 3});
         if (m.positions[3].y / scale != middle) continue;  // subnormal: the ulp is lost
-        const auto t = irg::triangulate(m);
+        const auto t = irg::triangulated(m);
         REQUIRE(t.face_count() == 2);
         // Corner 3 above the diagonal: convex, a fan. On it or below: the only diagonal with area is 1 3.
         const bool from_zero =
@@ -442,13 +442,13 @@ TEST_CASE("triangulate: large faces") {
     return true;
   };
   SUBCASE("10^6 corners, convex") {
-    const auto t = irg::triangulate(circle(1'000'000, [](int) { return 1e9; }));
+    const auto t = irg::triangulated(circle(1'000'000, [](int) { return 1e9; }));
     CHECK(t.face_count() == 999'998);
     CHECK(all_forward(t));
   }
   SUBCASE("10^5 corners, jagged") {
     test::random random(4);
-    const auto t = irg::triangulate(circle(100'000, [&](int) { return 1 + random.unit() * 0.01; }));
+    const auto t = irg::triangulated(circle(100'000, [&](int) { return 1 + random.unit() * 0.01; }));
     CHECK(t.face_count() == 99'998);
     CHECK(all_forward(t));
   }
@@ -458,11 +458,11 @@ TEST_CASE("triangulate: large faces") {
     std::vector<int> indices;
     for (int i = 0; i < 1'000'000; ++i) indices.push_back(i % 3);
     irg::add_face(m, indices);
-    CHECK(irg::triangulate(m).face_count() == 999'998);
+    CHECK(irg::triangulated(m).face_count() == 999'998);
   }
   SUBCASE("a comb of 2001 corners, within its budget and beyond") {
     check_simple<double>(comb(1000));
-    const auto t = irg::triangulate(face_of<double>(comb(1000)), {.tests_per_corner = 1});
+    const auto t = irg::triangulated(face_of<double>(comb(1000)), {.tests_per_corner = 1});
     CHECK(t.face_count() == 2000);
     std::int64_t sum = 0;
     for (const ring& r : triangles_of(t, comb(1000))) sum += twice_area(r);
@@ -472,6 +472,6 @@ TEST_CASE("triangulate: large faces") {
 
 TEST_CASE("triangulate: other scalars") {
   irg::mesh<int> m = face_of<int>({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}});
-  CHECK(irg::triangulate(m).face_count() == 3);
+  CHECK(irg::triangulated(m).face_count() == 3);
   check_simple<int>({{0, 3}, {3, 3}, {4, 0}, {5, 3}, {8, 3}, {6, 5}, {7, 8}, {4, 6}, {1, 8}, {2, 5}});
 }

@@ -35,7 +35,7 @@ std::string difference(const irg::mesh<T>& m, const std::string& path, irg::mesh
   const bool triangles = format == irg::mesh_format::stl;
   if (read.n_vertices() != m.positions.size()) return "has other vertices";
   if (!triangles && read.n_faces() != m.face_count()) return "has other faces";
-  if (triangles) return read.n_faces() == irg::triangulate(m).face_count() ? "" : "has other triangles";
+  if (triangles) return read.n_faces() == irg::triangulated(m).face_count() ? "" : "has other triangles";
   for (std::size_t v = 0; v < m.positions.size(); ++v) {
     const open_mesh::VertexHandle h(static_cast<int>(v));
     for (unsigned i = 0; i < 3; ++i)
@@ -83,8 +83,8 @@ void try_body(const std::string& folder, const std::string& name, irg::mesh<T> m
       const bool has_form = e == irg::mesh_encoding::text || format == irg::mesh_format::ply ||
                             (format == irg::mesh_format::stl && e == irg::mesh_encoding::little_endian);
       if (!has_form) continue;
-      const auto reason = irg::write_mesh(path, m, e);
-      const std::string wrong = reason ? reason->message : difference(m, path, format, attributes);
+      const auto saved = irg::save_mesh(path, m, e);
+      const std::string wrong = saved ? difference(m, path, format, attributes) : saved.error().message;
       ++tried;
       failed += wrong.empty() ? 0 : 1;
       if (!wrong.empty())

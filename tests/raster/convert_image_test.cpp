@@ -30,7 +30,7 @@ TEST_CASE("convert_image: pixel by pixel, at compile time, too") {
     bool same = turned.width() == 5 && gray.height() == 3;
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 5; ++x)
-        same = same && irg::to_rgba8(turned(x, y)) == picture(x, y) && gray(x, y) == irg::gray_level(picture(x, y));
+        same = same && irg::to_rgba8(turned(x, y)) == picture(x, y) && gray(x, y) == irg::grey_level(picture(x, y));
     return same;
   }());
   CHECK_BOTH(convert_image<irg::rgb8>(irg::image<rgba8>()).width() == 0);
@@ -46,7 +46,7 @@ TEST_CASE("convert_image: there and back, and into views of any stride") {
   std::vector<irg::bgr8> memory(70 * 40 + 3, irg::bgr8{});
   // upside down: the first row is the last in memory
   const irg::image_view<irg::bgr8> view(memory.data() + 70 * 39, 70, 40, -70 * 3);
-  irg::convert_pixels(picture, view);
+  irg::convert_into(view, picture);
   CHECK(memory[0] == irg::convert_pixel<irg::bgr8>(picture(0, 39)));
   CHECK(memory[70 * 39 + 9] == irg::convert_pixel<irg::bgr8>(picture(9, 0)));
   CHECK(memory[70 * 40] == irg::bgr8{});

@@ -45,6 +45,13 @@ TEST_CASE("draw_polyline: a shared vertex is painted once, ends are drawn") {
   CHECK_BOTH(closed());
 }
 
+TEST_CASE("draw_polygon: the closed polyline") {
+  irg::image<int> image(12, 9, 0);
+  const std::array outline{cell{1, 1}, cell{9, 1}, cell{9, 7}, cell{4, 3}};
+  irg::draw_polygon(image, outline, count{});
+  CHECK(image == counted(outline, polyline_shape::closed));
+}
+
 TEST_CASE("draw_polyline: degenerate ones") {
   for (const polyline_shape shape : {polyline_shape::open, polyline_shape::closed}) {
     CHECK(sum(counted(std::vector<cell>{}, shape)) == 0);

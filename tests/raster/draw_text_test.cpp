@@ -56,7 +56,8 @@ static_assert([] {
 }());
 static_assert(bounds("H", {100, 50}, {.along = irg::text_along::right}).right == 98);
 static_assert(bounds("H", {100, 50}, {.across = irg::text_across::middle}).top == 43);
-static_assert(bounds("H", {100, 50}, {.turn = 90}).right == 114);  // clockwise: the top of the letter points right
+static_assert(bounds("H", {100, 50}, {.clockwise_degrees = 90}).right ==
+              114);  // clockwise: the top of the letter points right
 
 TEST_CASE("every glyph stays within its measured box, at any size, and no two are the same") {
   std::vector<std::vector<double>> seen;
@@ -87,7 +88,7 @@ TEST_CASE("every glyph stays within its measured box, at any size, and no two ar
 TEST_CASE("clipped text has the pixels of the whole") {
   const std::string text = "Ag 3.5\u00d710\u2192@%";
   irg::image<std::uint8_t> whole(200, 80, 0), part(60, 30, 0);
-  const irg::text_style style{.size = 24, .turn = 11};
+  const irg::text_style style{.size = 24, .clockwise_degrees = 11};
   CHECK(irg::draw_text(whole, text, position{10, 30}, style, std::uint8_t{255}));
   CHECK(irg::draw_text(part, text, position{10 - 40, 30 - 20}, style, std::uint8_t{255}));
   int inked = 0;
@@ -106,7 +107,7 @@ TEST_CASE("sizes, positions and turns that are no use paint nothing") {
   };
   const double infinite = std::numeric_limits<double>::infinity();
   for (double size : {none, infinite, -1.0, 0.0, 1e300}) CHECK_FALSE(draws({5, 20}, {.size = size}));
-  for (double turn : {none, infinite}) CHECK_FALSE(draws({5, 20}, {.turn = turn}));
+  for (double turn : {none, infinite}) CHECK_FALSE(draws({5, 20}, {.clockwise_degrees = turn}));
   CHECK_FALSE(draws({none, 0}, {}));
   CHECK_FALSE(draws({1e9, 0}, {}));
   CHECK_FALSE(draws({5, 20}, {.weight = infinite}));

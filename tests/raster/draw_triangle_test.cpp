@@ -34,7 +34,7 @@ struct canvas {
 
 template <class Order = irg::nearer_is_greater, class Shader>
 constexpr irg::draw_counts draw(canvas& c, const screen_vertex (&v)[3], const Shader& shader) {
-  return irg::draw_triangle<Order>(c.colour, c.depth, {v[0], v[1], v[2]}, shader);
+  return irg::shade_triangle<Order>(c.colour, c.depth, {v[0], v[1], v[2]}, shader);
 }
 
 // The same triangle by the plain kernel: scalars and 64-bit coverage.
@@ -62,7 +62,7 @@ constexpr canvas two_triangles() {
   return c;
 }
 
-TEST_CASE("draw_triangle: constant evaluation gives the bytes of lanes") {
+TEST_CASE("shade_triangle: constant evaluation gives the bytes of lanes") {
   static constexpr auto at_compile_time = [] {
     const canvas c = two_triangles();
     struct bytes {
@@ -84,7 +84,7 @@ TEST_CASE("draw_triangle: constant evaluation gives the bytes of lanes") {
     }
 }
 
-TEST_CASE("draw_triangle: lanes give the bytes of the plain kernel, for every width, order and shader") {
+TEST_CASE("shade_triangle: lanes give the bytes of the plain kernel, for every width, order and shader") {
   test::random random(5);
   for (int i = 0; i < 3000; ++i) {
     const int width = static_cast<int>(random.integer(1, 70)), height = static_cast<int>(random.integer(1, 20));
@@ -107,7 +107,7 @@ TEST_CASE("draw_triangle: lanes give the bytes of the plain kernel, for every wi
   }
 }
 
-TEST_CASE("draw_triangle: coverage is cover_triangle's, in every pixel") {
+TEST_CASE("shade_triangle: coverage is cover_triangle's, in every pixel") {
   test::random random(6);
   for (int i = 0; i < 2000; ++i) {
     canvas c(40, 20);
@@ -119,7 +119,7 @@ TEST_CASE("draw_triangle: coverage is cover_triangle's, in every pixel") {
   }
 }
 
-TEST_CASE("draw_triangle: depth and weights against long double, on triangles and slivers") {
+TEST_CASE("shade_triangle: depth and weights against long double, on triangles and slivers") {
   test::random random(8);
   long double worst_depth = 0, worst_weight = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -136,17 +136,15 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
     irg::image<recorder> weights(60, 60);
     irg::image<float> depth(60, 60, -1.0f);
     const auto record = [](const irg::pixel_weights<float>& f) { return recorder{f.weight1, f.weight2}; };
-    irg::draw_triangle(weights, depth, {v[0], v[1], v[2]}, record);
+    irg::shade_triangle(weights, depth, {v[0], v[1], v[2]}, record);
     const long double area =
-        static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+        static_cast<long double>(irg::twice_signed_area(v[0].position, v[1].position, v[2].position));
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 60; ++x) {
         if (!irg::covers(t, x, y)) continue;
         const irg::subpixel p{x * 256 + 128, y * 256 + 128};
-        const long double b1 =
-            static_cast<long double>(irg::signed_double_area(v[2].position, v[0].position, p)) / area;
-        const long double b2 =
-            static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, p)) / area;
+        const long double b1 = static_cast<long double>(irg::twice_signed_area(v[2].position, v[0].position, p)) / area;
+        const long double b2 = static_cast<long double>(irg::twice_signed_area(v[0].position, v[1].position, p)) / area;
         const auto wide = [](float f) { return static_cast<long double>(f); };
         const long double z0 = wide(v[0].depth), q1 = wide(v[1].inverse_w), q2 = wide(v[2].inverse_w);
         const long double z = z0 + b1 * (wide(v[1].depth) - z0) + b2 * (wide(v[2].depth) - z0);
@@ -166,17 +164,17 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
   CHECK(worst_weight <= 4e-7L);  // although inverse_w spreads over 2^16
 }
 
-TEST_CASE("draw_triangle: weights stay accurate when inverse_w differs by 1e5") {
+TEST_CASE("shade_triangle: weights stay accurate when inverse_w differs by 1e5") {
   irg::image<float> weight(64, 64), depth(64, 64, -1.0f);
   const screen_vertex v[3] = {{{0, 0}, 0.5f, 1.0f}, {{64 * 256, 0}, 0.5f, 1e-5f}, {{0, 64 * 256}, 0.5f, 1.0f}};
-  irg::draw_triangle(weight, depth, {v[0], v[1], v[2]}, [](const irg::pixel_weights<float>& f) { return f.weight1; });
+  irg::shade_triangle(weight, depth, {v[0], v[1], v[2]}, [](const irg::pixel_weights<float>& f) { return f.weight1; });
   for (int x = 0; x < 63; ++x) {
     const long double b1 = (x + 0.5L) / 64, q = (1 - b1) + b1 * static_cast<long double>(1e-5f);
     CHECK(std::fabs(static_cast<long double>(weight(x, 0)) - b1 * static_cast<long double>(1e-5f) / q) < 1e-9L);
   }
 }
 
-TEST_CASE("draw_triangle: of equal depths the first drawn stays, and is counted") {
+TEST_CASE("shade_triangle: of equal depths the first drawn stays, and is counted") {
   constexpr auto ties = [] {
     canvas c(4, 4);
     const screen_vertex v[3] = {{{0, 0}, 0.5f}, {{1024, 0}, 0.5f}, {{0, 1024}, 0.5f}};
@@ -187,7 +185,7 @@ TEST_CASE("draw_triangle: of equal depths the first drawn stays, and is counted"
   CHECK_BOTH(ties());
 }
 
-TEST_CASE("draw_triangle: opaque triangles without ties give one picture in every order") {
+TEST_CASE("shade_triangle: opaque triangles without ties give one picture in every order") {
   test::random random(14);
   screen_vertex v[12][3];
   for (auto& t : v)
@@ -211,7 +209,7 @@ TEST_CASE("draw_triangle: opaque triangles without ties give one picture in ever
   }
 }
 
-TEST_CASE("draw_triangle: the winding and a rotation of the vertices do not change coverage") {
+TEST_CASE("shade_triangle: the winding and a rotation of the vertices do not change coverage") {
   constexpr auto same = [] {
     const screen_vertex a{{100, 50}, 0.1f}, b{{3000, 700}, 0.9f}, c{{900, 3500}, 0.4f};
     canvas p(12, 14), q(12, 14), r(12, 14);
@@ -222,7 +220,7 @@ TEST_CASE("draw_triangle: the winding and a rotation of the vertices do not chan
   CHECK_BOTH(same());
 }
 
-TEST_CASE("draw_triangle: vertices far outside take the 64-bit path, with the same coverage") {
+TEST_CASE("shade_triangle: vertices far outside take the 64-bit path, with the same coverage") {
   canvas c(33, 9);
   const int far = irg::snap_limit * 256;
   const screen_vertex v[3] = {{{-far, -far}, 0.25f}, {{far, -far + 7}, 0.5f}, {{3, far}, 0.75f}};
@@ -235,12 +233,12 @@ TEST_CASE("draw_triangle: vertices far outside take the 64-bit path, with the sa
   CHECK(expected == 33 * 9);
 }
 
-TEST_CASE("draw_triangle: nothing outside the window is written") {
+TEST_CASE("shade_triangle: nothing outside the window is written") {
   canvas c(40, 10), before = c;
   const irg::cell_window w{5, 2, 29, 7};
   const screen_vertex v[3] = {{{-9000, -9000}, 0.5f}, {{90000, -9000}, 0.5f}, {{-9000, 90000}, 0.5f}};
-  irg::draw_triangle(c.colour, c.depth, irg::cover_and_set_up(v[0], v[1], v[2]),
-                     irg::solid_shader<irg::rgba8>{{5, 5, 5, 5}}, w);
+  irg::shade_triangle(c.colour, c.depth, irg::cover_and_set_up(v[0], v[1], v[2]),
+                      irg::solid_shader<irg::rgba8>{{5, 5, 5, 5}}, w);
   for (int y = 0; y < 10; ++y)
     for (int x = 0; x < 40; ++x) {
       const bool in = x >= 5 && x < 29 && y >= 2 && y < 7;
@@ -254,7 +252,7 @@ TEST_CASE("intensity_shader: the course's Gouraud triangle") {
   const auto drawn = [](int x, int y) {
     irg::image<float> intensity(6, 6, -1.0f);
     const auto at = [](int px, int py) { return screen_vertex{{px * 256 + 128, py * 256 + 128}}; };
-    irg::draw_triangle(intensity, {at(0, 0), at(4, 0), at(0, 4)}, irg::intensity_shader<float>{10, 50, 90});
+    irg::shade_triangle(intensity, {at(0, 0), at(4, 0), at(0, 4)}, irg::intensity_shader<float>{10, 50, 90});
     return intensity(x, y);
   };
   CHECK_BOTH(drawn(1, 1) == 40.0f);
@@ -272,13 +270,13 @@ constexpr std::pair<int, float> over_a_half(float depth) {
   canvas c(12, 4);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 12; ++x) c.depth(x, y) = 0.5f;
-  irg::draw_triangle<irg::nearer_is_greater, irg::depth_policy<Test, Write>>(
+  irg::shade_triangle<irg::nearer_is_greater, irg::depth_policy<Test, Write>>(
       c.colour, c.depth, {{{0, 0}, depth}, {{9000, 0}, depth}, {{0, 9000}, depth}},
       irg::solid_shader<irg::rgba8>{{9, 9, 9, 9}});
   return {c.colour(10, 2).a == 9 ? 9 : 0, c.depth(10, 2)};
 }
 
-TEST_CASE("draw_triangle: the depth test and depth write of a policy") {
+TEST_CASE("shade_triangle: the depth test and depth write of a policy") {
   using enum irg::depth_test;
   using enum irg::depth_write;
   using result = std::pair<int, float>;
@@ -316,7 +314,7 @@ by_hand kept_by_hand(float z, std::uint32_t before) {
   }
 }
 
-// Random triangles into a buffer of the format, by draw_triangle and pixel by pixel; the difference in pixels.
+// Random triangles into a buffer of the format, by shade_triangle and pixel by pixel; the difference in pixels.
 template <class F, irg::depth_test Test, irg::depth_write Write>
 int drawn_otherwise(std::uint64_t seed, int width) {
   constexpr int height = 9;
@@ -334,7 +332,7 @@ int drawn_otherwise(std::uint64_t seed, int width) {
     for (auto& c : v) c.depth = level ? v[0].depth : 1.4f * c.depth - 0.2f;
     const irg::solid_shader<int> paint{i};
     for (int times = 0; times < (twice ? 2 : 1); ++times) {
-      irg::draw_triangle<F, irg::depth_policy<Test, Write>>(ids, depth, {v[0], v[1], v[2]}, paint);
+      irg::shade_triangle<F, irg::depth_policy<Test, Write>>(ids, depth, {v[0], v[1], v[2]}, paint);
       screen_vertex u[3] = {v[0], v[1], v[2]};
       if (std::same_as<F, irg::depth_inverse_w>)
         for (auto& c : u) c.depth = c.inverse_w;
@@ -378,7 +376,7 @@ int drawn_otherwise(std::uint64_t seed) {
   return wrong;
 }
 
-TEST_CASE("draw_triangle: every depth format, with every depth test and write") {
+TEST_CASE("shade_triangle: every depth format, with every depth test and write") {
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test::trials(30)); ++seed) {
     REQUIRE(drawn_otherwise<irg::depth_float_reversed>(seed) == 0);
     REQUIRE(drawn_otherwise<irg::depth_float>(seed) == 0);
@@ -396,12 +394,12 @@ template <class F>
 constexpr typename F::stored word_left(float depth, typename F::stored before) {
   irg::image<int> ids(12, 4);
   irg::image<typename F::stored> words(12, 4, before);
-  irg::draw_triangle<F>(ids, words, {{{0, 0}, depth, 4.0f}, {{9000, 0}, depth, 4.0f}, {{0, 9000}, depth, 4.0f}},
-                        irg::solid_shader<int>{1});
+  irg::shade_triangle<F>(ids, words, {{{0, 0}, depth, 4.0f}, {{9000, 0}, depth, 4.0f}, {{0, 9000}, depth, 4.0f}},
+                         irg::solid_shader<int>{1});
   return words(10, 2);
 }
 
-TEST_CASE("draw_triangle: depth formats by hand") {
+TEST_CASE("shade_triangle: depth formats by hand") {
   CHECK_BOTH(word_left<irg::depth_unorm16>(0.5f, 65535) == 32768);
   CHECK_BOTH(word_left<irg::depth_unorm16>(0.5f, 32768) == 32768);
   CHECK_BOTH(word_left<irg::depth_unorm16>(-3.0f, 1) == 0);

@@ -293,7 +293,7 @@ void against_drawing(std::uint64_t seed, int scenes) {
               static_cast<std::int32_t>(r.integer(-1000, size * 256 + 1000))},
              static_cast<float>(0.125 + 0.75 * r.unit())};
       faces.push_back(irg::make_screen_face(v[0], v[1], v[2], i));
-      irg::draw_triangle<Order>(id, depth, {v[0], v[1], v[2]}, irg::solid_shader<std::uint32_t>{i});
+      irg::shade_triangle<Order>(id, depth, {v[0], v[1], v[2]}, irg::solid_shader<std::uint32_t>{i});
     }
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {
@@ -314,7 +314,7 @@ void against_drawing(std::uint64_t seed, int scenes) {
   CHECK(close * 1000 < compared);
 }
 
-TEST_CASE("picture_face_at: the picture that draw_triangle draws, but for close depths") {
+TEST_CASE("picture_face_at: the picture that shade_triangle draws, but for close depths") {
   against_drawing<greater>(406, test::trials(100));
   against_drawing<less>(407, test::trials(100));
   against_drawing<drawing_order>(408, test::trials(100));

@@ -307,13 +307,13 @@ TEST_CASE("convex_spans: exactly once on every quad of the 9 x 9 half-pixel latt
       } sides[2];
       for (int k = 0; k < n; ++k) {
         const subpixel t[3] = {at(i), at(j), at(k)};
-        const std::int64_t area = irg::signed_double_area(t[0], t[1], t[2]);
+        const std::int64_t area = irg::twice_signed_area(t[0], t[1], t[2]);
         if (area == 0) continue;
         unsigned wanted = 0;  // centres inside, or inside the diagonal
         for (int p = 0; p < 16; ++p) {
           const subpixel c{(p % 4) * 256 + 128, (p / 4) * 256 + 128};
-          const std::int64_t s0 = irg::signed_double_area(t[0], t[1], c), s1 = irg::signed_double_area(t[1], t[2], c),
-                             s2 = irg::signed_double_area(t[2], t[0], c);
+          const std::int64_t s0 = irg::twice_signed_area(t[0], t[1], c), s1 = irg::twice_signed_area(t[1], t[2], c),
+                             s2 = irg::twice_signed_area(t[2], t[0], c);
           if ((s0 >= 0 && s1 > 0 && s2 > 0) || (s0 <= 0 && s1 < 0 && s2 < 0)) wanted |= 1u << p;
         }
         side& s = sides[area > 0];
@@ -362,7 +362,7 @@ TEST_CASE("convex_spans: a random triangulation of a rectangle into 10,000 trian
     const auto mix = [&](int p, int q, int r) { return static_cast<std::int32_t>((u * p + v * q + w * r) / 1024); };
     const subpixel p{mix(t.v[0].x, t.v[1].x, t.v[2].x), mix(t.v[0].y, t.v[1].y, t.v[2].y)};
     const triangle t0{{t.v[0], t.v[1], p}}, t1{{t.v[1], t.v[2], p}}, t2{{t.v[2], t.v[0], p}};
-    const auto area = [](const triangle& s) { return irg::signed_double_area(s.v[0], s.v[1], s.v[2]); };
+    const auto area = [](const triangle& s) { return irg::twice_signed_area(s.v[0], s.v[1], s.v[2]); };
     if (area(t0) <= 0 || area(t1) <= 0 || area(t2) <= 0) continue;
     t = t0;
     all.push_back(t1);
@@ -436,7 +436,7 @@ TEST_CASE("convex_spans: a quarter turn maps every pixel but those whose centre 
         for (std::size_t k = 0; k < r.size(); ++k) {
           const subpixel p = r[k], q = r[(k + 1) % r.size()];
           on_edge |=
-              irg::signed_double_area(p, q, c) == 0 && (c.x - p.x) * (c.x - q.x) <= 0 && (c.y - p.y) * (c.y - q.y) <= 0;
+              irg::twice_signed_area(p, q, c) == 0 && (c.x - p.x) * (c.x - q.x) <= 0 && (c.y - p.y) * (c.y - q.y) <= 0;
         }
         on_edges += on_edge;
         others += !on_edge;

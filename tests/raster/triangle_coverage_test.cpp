@@ -149,19 +149,19 @@ lattice_result quad_lattice(int points, int step) {
         const subpixel c{(p % 4) * 256 + 128, (p / 4) * 256 + 128};
         const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
         const std::int64_t along = dx * (c.x - a.x) + dy * (c.y - a.y);
-        if (irg::signed_double_area(a, b, c) == 0 && along > 0 && along < dx * dx + dy * dy) on_diagonal |= 1u << p;
+        if (irg::twice_signed_area(a, b, c) == 0 && along > 0 && along < dx * dx + dy * dy) on_diagonal |= 1u << p;
       }
       sides left, right;
       for (int k = 0; k < n; ++k) {
-        const std::int64_t side = irg::signed_double_area(a, b, at(k));
+        const std::int64_t side = irg::twice_signed_area(a, b, at(k));
         if (side == 0) continue;
         unsigned covered = 0, inside = 0;
         const irg::triangle_coverage t = irg::cover_triangle(a, b, at(k));
         for (int p = 0; p < 16; ++p) {
           const subpixel c{(p % 4) * 256 + 128, (p / 4) * 256 + 128};
           if (irg::covers(t, p % 4, p / 4)) covered |= 1u << p;
-          const std::int64_t s1 = irg::signed_double_area(a, b, c), s2 = irg::signed_double_area(b, at(k), c),
-                             s3 = irg::signed_double_area(at(k), a, c);
+          const std::int64_t s1 = irg::twice_signed_area(a, b, c), s2 = irg::twice_signed_area(b, at(k), c),
+                             s3 = irg::twice_signed_area(at(k), a, c);
           if ((s1 > 0 && s2 > 0 && s3 > 0) || (s1 < 0 && s2 < 0 && s3 < 0)) inside |= 1u << p;
         }
         sides& s = side > 0 ? left : right;

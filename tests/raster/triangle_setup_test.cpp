@@ -105,8 +105,8 @@ worst_errors sweep(int count, int depth_exponent, int w_exponent) {
       const irg::subpixel p{x * 256 + 128, y * 256 + 128};
       long double b[3], depth = 0, q = 0;
       for (int e = 0; e < 3; ++e) {
-        b[e] = static_cast<long double>(irg::signed_double_area(v[(e + 1) % 3].position, v[(e + 2) % 3].position, p)) /
-               static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+        b[e] = static_cast<long double>(irg::twice_signed_area(v[(e + 1) % 3].position, v[(e + 2) % 3].position, p)) /
+               static_cast<long double>(irg::twice_signed_area(v[0].position, v[1].position, v[2].position));
         depth += b[e] * static_cast<long double>(v[e].depth);
         q += b[e] * static_cast<long double>(v[e].inverse_w);
       }
@@ -187,7 +187,7 @@ TEST_CASE("edge_lanes: the edges, rests and scales of set_up_triangle, lane by l
       REQUIRE(boxes.narrow[l] == -1);
       const irg::screen_vertex v[3] = {{{x[0][l], y[0][l]}}, {{x[1][l], y[1][l]}}, {{x[2][l], y[2][l]}}};
       const irg::covered_triangle t = irg::cover_and_set_up(v[0], v[1], v[2]);
-      REQUIRE(boxes.double_area[l] == irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+      REQUIRE(boxes.double_area[l] == irg::twice_signed_area(v[0].position, v[1].position, v[2].position));
       if (t.coverage.double_area == 0) continue;
       REQUIRE((edges.flip[l] != 0) == t.coverage.flipped);
       REQUIRE(edges.scale[l] == t.setup.scale);

@@ -126,9 +126,9 @@ drawn<P> draw(const triangle_scene& s, const batches_of& b, const Shading& shadi
       else
         d.colour(x, y) = {static_cast<float>(r.unit()), -1, -2};
     }
-  d.stats = irg::draw_batches<Order, double>(irg::render_target{d.colour, d.depth},
-                                             {b.batches, irg::map_to_screen<double>(s.width, s.height)}, shading,
-                                             settings, executor);
+  d.stats = irg::shade_batches<Order, double>(irg::render_target{d.colour, d.depth},
+                                              {b.batches, irg::map_to_screen<double>(s.width, s.height)}, shading,
+                                              settings, executor);
   return d;
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("attribute shading: triangles far larger than the picture") {
         p = {static_cast<std::int32_t>(x / 4), static_cast<std::int32_t>(y / 4)};
       }
       s.triangles.push_back({{3 * t, 3 * t + 1, 3 * t + 2}});
-      large += std::abs(irg::signed_double_area(at[0], at[1], at[2])) / 131072 > 4'000'000;
+      large += std::abs(irg::twice_signed_area(at[0], at[1], at[2])) / 131072 > 4'000'000;
     }
     CHECK(large > 3);
     fast_equals_plain(s, r, i % 2 == 0 ? irg::clearing::none : irg::clearing::before_drawing, irg::face_culling::none);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depths without colours are the depths that draw_batches leaves, or nearer ones of faces too close to tell.
+// Depths without colours are the depths that shade_batches leaves, or nearer ones of faces too close to tell.
 #include <irg/render/draw_depth.hpp>
 
 #include <irg/core/threads.hpp>
@@ -70,7 +70,7 @@ void equal_on_random_scenes(std::uint64_t seed, int scenes) {
   CHECK(nearer * 1000 < drawn);
 }
 
-TEST_CASE("draw_depth: the depths of draw_batches, the nearer one where faces are close, whatever is skipped") {
+TEST_CASE("draw_depth: the depths of shade_batches, the nearer one where faces are close, whatever is skipped") {
   const int scenes = test::is_release_tier() ? 5000 : 180;
   test::with_each_order(
       301, [scenes]<class Order, class T>(std::uint64_t seed) { equal_on_random_scenes<Order, T>(seed, scenes); });

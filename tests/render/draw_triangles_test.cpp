@@ -65,8 +65,8 @@ constexpr marks draw(const soup& s, irg::face_culling culling = irg::face_cullin
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   const auto shader = [](std::uint32_t i, irg::facing side) { return mark_shader{i + 1, side}; };
   m.stats =
-      irg::draw_triangles<Order, double>(irg::render_target{m.colour, m.depth}, {vertices, s.triangles, mapping},
-                                         shader, {culling, skip, irg::clearing::before_drawing, mark{}}, executor);
+      irg::shade_triangles<Order, double>(irg::render_target{m.colour, m.depth}, {vertices, s.triangles, mapping},
+                                          shader, {culling, skip, irg::clearing::before_drawing, mark{}}, executor);
   return m;
 }
 
@@ -85,13 +85,13 @@ constexpr soup two_crossing_triangles() {
           16};
 }
 
-TEST_CASE("draw_triangles: types") {
+TEST_CASE("shade_triangles: types") {
   static_assert(std::is_aggregate_v<irg::triangle_indices>);
   static_assert(irg::draw_settings<irg::rgba8>{}.clear == irg::clearing::none);
   static_assert(irg::PixelShader<mark_shader, mark>);
 }
 
-TEST_CASE("draw_triangles: constant evaluation gives the bytes and counts of run time, clipping included") {
+TEST_CASE("shade_triangles: constant evaluation gives the bytes and counts of run time, clipping included") {
   static constexpr auto at_compile_time = [] {
     const marks m = draw(two_crossing_triangles());
     struct bytes {
@@ -222,7 +222,7 @@ soup random_visible_soup(test::random& r, int width, int height, double reach = 
   return s;
 }
 
-TEST_CASE("draw_triangles: the nearest of the covering triangles in every pixel, on random scenes") {
+TEST_CASE("shade_triangles: the nearest of the covering triangles in every pixel, on random scenes") {
   test::random r(101);
   const int scenes = std::getenv("IRG_RELEASE_TIER") ? 10000 : 1000;
   agreement sum;
@@ -237,7 +237,7 @@ TEST_CASE("draw_triangles: the nearest of the covering triangles in every pixel,
   CHECK(sum.wrong == 0);
 }
 
-TEST_CASE("draw_triangles: pictures of every shape, narrower than the lanes and higher than a band") {
+TEST_CASE("shade_triangles: pictures of every shape, narrower than the lanes and higher than a band") {
   test::random r(102);
   agreement sum;
   for (int width = 1; width <= 20; ++width)
@@ -247,7 +247,7 @@ TEST_CASE("draw_triangles: pictures of every shape, narrower than the lanes and 
   CHECK(sum.wrong == 0);
 }
 
-TEST_CASE("draw_triangles: 1 x 1, 65535 x 1 and 1 x 65535") {
+TEST_CASE("shade_triangles: 1 x 1, 65535 x 1 and 1 x 65535") {
   test::random r(103);
   agreement sum;
   for (int i = 0; i < 8; ++i) {
@@ -370,7 +370,7 @@ void compare_with_rays(const soup& s, irg::face_culling culling, ray_agreement& 
     }
 }
 
-TEST_CASE("draw_triangles: vertices behind the eye, beside it and beyond the guard band, against rays") {
+TEST_CASE("shade_triangles: vertices behind the eye, beside it and beyond the guard band, against rays") {
   test::random r(104);
   const int scenes = std::getenv("IRG_RELEASE_TIER") ? 10000 : 600;
   ray_agreement sum;
@@ -402,7 +402,7 @@ TEST_CASE("draw_triangles: vertices behind the eye, beside it and beyond the gua
   CHECK(sum.worst_weight < 0.01L);
 }
 
-TEST_CASE("draw_triangles: each corner in each of the 27 cells that the clip planes cut") {
+TEST_CASE("shade_triangles: each corner in each of the 27 cells that the clip planes cut") {
   test::random r(105);
   ray_agreement sum;
   const matrix finite = irg::perspective(irg::pi<double> / 2, 1.0, 1.0, 4.0);
@@ -423,7 +423,7 @@ TEST_CASE("draw_triangles: each corner in each of the 27 cells that the clip pla
   CHECK(sum.wrong == 0);
 }
 
-TEST_CASE("draw_triangles: weights in a triangle whose corners' distances differ 100,000 times") {
+TEST_CASE("shade_triangles: weights in a triangle whose corners' distances differ 100,000 times") {
   ray_agreement sum;
   const soup s{
       {{-0.3, -0.3, -0.3}, {20000, -5000, -30000}, {-5000, 20000, -30000}}, {{{0, 1, 2}}}, eye_at_origin(), 200, 200};
@@ -459,7 +459,7 @@ soup cube_around(test::random& r, int n, int width, int height) {
   return s;
 }
 
-TEST_CASE("draw_triangles: inside a cube of triangles every pixel is covered exactly once") {
+TEST_CASE("shade_triangles: inside a cube of triangles every pixel is covered exactly once") {
   test::random r(106);
   const int trials = std::getenv("IRG_RELEASE_TIER") ? 20000 : 600;
   long long holes = 0, doubled = 0;
@@ -480,7 +480,7 @@ TEST_CASE("draw_triangles: inside a cube of triangles every pixel is covered exa
   CHECK(doubled == 0);
 }
 
-TEST_CASE("draw_triangles: a corner exactly on a clip plane") {
+TEST_CASE("shade_triangles: a corner exactly on a clip plane") {
   // The near plane is at distance 1, and the corner is on it; its neighbour beyond the edge is behind the eye.
   const soup s{
       {{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, -3, 2}}, {{{0, 1, 2}}, {{1, 0, 3}}}, eye_at_origin(1), 32, 32};
@@ -494,7 +494,7 @@ TEST_CASE("draw_triangles: a corner exactly on a clip plane") {
 
 // ---- order
 
-TEST_CASE("draw_triangles: of equal depths the lowest index wins, in either direction") {
+TEST_CASE("shade_triangles: of equal depths the lowest index wins, in either direction") {
   soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -3}}, {{{0, 1, 2}}, {{0, 1, 2}}, {{0, 2, 1}}}, eye_at_origin(), 32, 32};
   const marks m = draw(s);
   CHECK(m.stats.pixels.shaded > 50);
@@ -504,7 +504,7 @@ TEST_CASE("draw_triangles: of equal depths the lowest index wins, in either dire
     for (int x = 0; x < 32; ++x) REQUIRE(m.colour(x, y).triangle <= 1);
 }
 
-TEST_CASE("draw_triangles: in drawing order the last one wins, whatever its depth") {
+TEST_CASE("shade_triangles: in drawing order the last one wins, whatever its depth") {
   const soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}, {-2, -2, -5}, {2, -2, -5}, {0, 2, -5}},
                {{{0, 1, 2}}, {{3, 4, 5}}},
                eye_at_origin(),
@@ -523,7 +523,7 @@ TEST_CASE("draw_triangles: in drawing order the last one wins, whatever its dept
   CHECK(m.stats.pixels.shaded < m.stats.pixels.tested);  // what is covered later is not shaded
 }
 
-TEST_CASE("draw_triangles: in drawing order nothing is kept because it is as near, so nothing ties") {
+TEST_CASE("shade_triangles: in drawing order nothing is kept because it is as near, so nothing ties") {
   const auto ties_of_copies = [] {
     soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}, {{{0, 1, 2}}, {{0, 1, 2}}}, eye_at_origin(), 8, 8};
     return draw<irg::drawing_order>(s).stats.pixels.ties;
@@ -531,7 +531,7 @@ TEST_CASE("draw_triangles: in drawing order nothing is kept because it is as nea
   CHECK_BOTH(ties_of_copies() == 0);
 }
 
-TEST_CASE("draw_triangles: any order of triangles gives the same picture where no depths are equal") {
+TEST_CASE("shade_triangles: any order of triangles gives the same picture where no depths are equal") {
   test::random r(107);
   int compared = 0;
   for (int scene = 0; scene < 40; ++scene) {
@@ -560,7 +560,7 @@ TEST_CASE("draw_triangles: any order of triangles gives the same picture where n
 
 // ---- skipping, executors, counters
 
-TEST_CASE("draw_triangles: counters by hand") {
+TEST_CASE("shade_triangles: counters by hand") {
   // One seen, one facing away, one beside the picture, one behind the eye, one smaller than a pixel, one edge-on, one
   // that is clipped and seen.
   const soup s{{{-1, -1, -2},
@@ -597,7 +597,7 @@ TEST_CASE("draw_triangles: counters by hand") {
   CHECK(draw(s, irg::face_culling::none).stats.skipped.backface == 0);
 }
 
-TEST_CASE("draw_triangles: skipping changes no byte, on triangles anywhere") {
+TEST_CASE("shade_triangles: skipping changes no byte, on triangles anywhere") {
   test::random r(108);
   for (int i = 0; i < 1500; ++i) {
     soup s{{},
@@ -623,7 +623,7 @@ TEST_CASE("draw_triangles: skipping changes no byte, on triangles anywhere") {
   }
 }
 
-TEST_CASE("draw_triangles: skipping changes no byte so far away that depths are hardly numbers") {
+TEST_CASE("shade_triangles: skipping changes no byte so far away that depths are hardly numbers") {
   test::random r(7);
   int drawn = 0;
   for (int i = 0; i < 100; ++i) {
@@ -643,7 +643,7 @@ TEST_CASE("draw_triangles: skipping changes no byte so far away that depths are 
   CHECK(drawn > 90);
 }
 
-TEST_CASE("draw_triangles: skipping beyond a border does not depend on how clipping is rounded") {
+TEST_CASE("shade_triangles: skipping beyond a border does not depend on how clipping is rounded") {
   // All corners are beyond the right border, and some so far out that clipping them rounds by whole pictures.
   test::random r(111);
   int rounded_into_sight = 0;
@@ -663,7 +663,7 @@ TEST_CASE("draw_triangles: skipping beyond a border does not depend on how clipp
   CHECK(rounded_into_sight > 10);
 }
 
-TEST_CASE("draw_triangles: triangles that are not finite are left out, and the rest is as it was") {
+TEST_CASE("shade_triangles: triangles that are not finite are left out, and the rest is as it was") {
   test::random r(109);
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 100; ++i) {
@@ -684,7 +684,7 @@ TEST_CASE("draw_triangles: triangles that are not finite are left out, and the r
   }
 }
 
-TEST_CASE("draw_triangles: every executor gives the same bytes and counts") {
+TEST_CASE("shade_triangles: every executor gives the same bytes and counts") {
   test::random r(110);
   for (int i = 0; i < 60; ++i) {
     soup s = random_visible_soup(r, 50, 150);
@@ -697,7 +697,7 @@ TEST_CASE("draw_triangles: every executor gives the same bytes and counts") {
   }
 }
 
-TEST_CASE("draw_triangles: without a background it adds to what is there") {
+TEST_CASE("shade_triangles: without a background it adds to what is there") {
   const soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}, {{{0, 1, 2}}}, eye_at_origin(), 16, 16};
   const auto mapping = irg::map_to_screen<double>(16, 16);
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
@@ -705,13 +705,13 @@ TEST_CASE("draw_triangles: without a background it adds to what is there") {
   irg::image<float> depth(16, 16, 0.0f);
   depth(8, 10) = 1.0f;  // something very near
   const auto shader = [](std::uint32_t, irg::facing) { return irg::solid_shader<int>{9}; };
-  irg::draw_triangles(irg::render_target{colour, depth}, {vertices, s.triangles, mapping}, shader);
+  irg::shade_triangles(irg::render_target{colour, depth}, {vertices, s.triangles, mapping}, shader);
   CHECK(colour(8, 8) == 9);
   CHECK(colour(8, 10) == 7);
   CHECK(colour(0, 0) == 7);
 }
 
-TEST_CASE("draw_triangles: in drawing order a dot over a large triangle stays where it was put") {
+TEST_CASE("shade_triangles: in drawing order a dot over a large triangle stays where it was put") {
   // Side by side in the list: large, dot, large, dot...; the last dot and the last large triangle are seen.
   soup s{{{-2, -2, -2}, {2, -2, -2}, {0, 3, -2}}, {}, eye_at_origin(), 32, 32};
   for (int i = 0; i < 12; ++i) {
@@ -743,7 +743,7 @@ TEST_CASE("draw_triangles: in drawing order a dot over a large triangle stays wh
   }
 }
 
-TEST_CASE("draw_triangles: no triangles, and pictures without pixels") {
+TEST_CASE("shade_triangles: no triangles, and pictures without pixels") {
   const soup nothing{{}, {}, eye_at_origin(), 8, 8};
   CHECK(draw(nothing).stats == irg::render_stats{});
   CHECK(draw(nothing).colour(3, 3) == mark{});

@@ -82,7 +82,7 @@ TEST_CASE("make_drawable: polygons are cut, and each triangle knows its face") {
 TEST_CASE("make_drawable: every triangle has its corners' positions and normals") {
   test::random r(1);
   for (int i = 0; i < 200; ++i) {
-    const auto m = irg::triangulate(test::random_mesh<double>(r, 20, test::positions::everywhere));
+    const auto m = irg::triangulated(test::random_mesh<double>(r, 20, test::positions::everywhere));
     const auto d = irg::make_drawable(m);
     REQUIRE(d.triangles.size() == m.face_count());
     REQUIRE(d.face_of.size() == m.face_count());

@@ -117,7 +117,7 @@ TEST_CASE("indices: ... of pictures, opaque and transparent, in every order") {
       const auto shader = [&](const batch& of, std::uint32_t i, irg::facing) { return colour_of(g, of, i); };
       for (auto& p : picture[k]) p = irg::image<irg::rgba8>(width, height, {9, 9, 9, 255});
       depths depth(width, height, 0.0f);
-      irg::draw_batches(irg::render_target{picture[k][0], depth}, {b, g.mapping}, shader);
+      irg::shade_batches(irg::render_target{picture[k][0], depth}, {b, g.mapping}, shader);
       depth = depths(width, height, 0.0f);
       irg::draw_transparent(irg::render_target{picture[k][1], depth}, {b, g.mapping}, shader);
       irg::draw_transparent<irg::drawing_order, irg::depth_test::always, double>(

@@ -142,7 +142,7 @@ TEST_CASE("mip_textured_shading: levels against differences of long doubles, thr
     const shading of{objects, {}, s.mapping};
     irg::image<float> levels(width, height, -1.0f), depth(width, height, 0.0f);
     const irg::draw_settings<float> settings{irg::face_culling::none};
-    irg::draw_batches(irg::render_target{levels, depth}, {one, s.mapping}, level_maker{of, 32}, settings);
+    irg::shade_batches(irg::render_target{levels, depth}, {one, s.mapping}, level_maker{of, 32}, settings);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         if (levels(x, y) < 0) continue;
@@ -172,10 +172,10 @@ TEST_CASE("mip_textured_shading: a floor to the horizon: its mean far away, its 
   irg::image<rgba8> with(width, height), without(width, height);
   irg::image<float> depth(width, height, 0.0f);
   const shading mips{objects, pyramids, s.mapping};
-  irg::draw_batches(irg::render_target{with, depth}, {one, s.mapping}, mips);
+  irg::shade_batches(irg::render_target{with, depth}, {one, s.mapping}, mips);
   const irg::textured_shading full{objects, textures};
   const irg::draw_settings<rgba8> again{.clear = irg::clearing::before_drawing};
-  irg::draw_batches(irg::render_target{without, depth}, {one, s.mapping}, full, again);
+  irg::shade_batches(irg::render_target{without, depth}, {one, s.mapping}, full, again);
   const auto spread = [&](const irg::image<rgba8>& p, int y) {
     int low = 255, high = 0;
     for (int x = 0; x < width; ++x) low = std::min<int>(low, p(x, y).r), high = std::max<int>(high, p(x, y).r);
@@ -190,11 +190,11 @@ TEST_CASE("mip_textured_shading: a floor to the horizon: its mean far away, its 
   // The plain way, threads, and drawn as transparent: the same bytes.
   irg::image<rgba8> other(width, height);
   depth = irg::image<float>(width, height, 0.0f);
-  irg::draw_batches<plainly, double>(irg::render_target{other, depth}, {one, s.mapping}, mips);
+  irg::shade_batches<plainly, double>(irg::render_target{other, depth}, {one, s.mapping}, mips);
   CHECK(other == with);
   depth = irg::image<float>(width, height, 0.0f);
   other = irg::image<rgba8>(width, height);
-  irg::draw_batches(irg::render_target{other, depth}, {one, s.mapping}, mips, {}, irg::parallel{3});
+  irg::shade_batches(irg::render_target{other, depth}, {one, s.mapping}, mips, {}, irg::parallel{3});
   CHECK(other == with);
   depth = irg::image<float>(width, height, 0.0f);
   other = irg::image<rgba8>(width, height);
@@ -238,7 +238,7 @@ TEST_CASE("mip_textured_shading: small triangles of several textures, in lanes a
       irg::image<rgba8> many(width, height), each(width, height);
       irg::image<float> depth(width, height, 0.0f);
       const irg::draw_settings<rgba8> settings{irg::face_culling::none};
-      irg::draw_batches(irg::render_target{many, depth}, {one, s.mapping}, shading_of, settings);
+      irg::shade_batches(irg::render_target{many, depth}, {one, s.mapping}, shading_of, settings);
       depth = irg::image<float>(width, height, 0.0f);
       irg::draw_transparent(irg::render_target{each, depth}, {one, s.mapping}, shading_of);
       CHECK(many == each);
@@ -270,8 +270,8 @@ constexpr rgba8 square_at(int x, int y, int size, irg::texture_sampler sampler, 
   irg::image<rgba8> colour(size, size);
   irg::image<float> depth(size, size, 0.0f);
   const batch one[1] = {{&projected, triangles, 0}};
-  irg::draw_batches(irg::render_target{colour, depth}, {one, mapping},
-                    shading{objects, std::span(textures).first(static_cast<std::size_t>(count)), mapping});
+  irg::shade_batches(irg::render_target{colour, depth}, {one, mapping},
+                     shading{objects, std::span(textures).first(static_cast<std::size_t>(count)), mapping});
   return colour(x, y);
 }
 

@@ -32,7 +32,7 @@ struct body {
 
   irg::occludable_object<T> object() const {
     irg::box<T, 3> b;
-    for (const auto& p : positions) b = irg::enclosing_box(b, p);
+    for (const auto& p : positions) b = irg::bounding_box(b, p);
     return {b, positions, triangles};
   }
 };
@@ -257,7 +257,7 @@ TEST_CASE("occlusion culling: the mask of blocks against the depths that drawing
         p.depth = static_cast<float>(r.integer(0, 1) == 0 ? 0.25 + r.unit() * 0.01 : r.unit());
       }
       irg::detail::draw_block_mask(m, v[0], v[1], v[2]);
-      irg::draw_triangle(unused, depth, {v[0], v[1], v[2]}, [](const auto&) { return std::uint32_t{0}; });
+      irg::shade_triangle(unused, depth, {v[0], v[1], v[2]}, [](const auto&) { return std::uint32_t{0}; });
     }
     for (int by = 0; by < m.down; ++by)
       for (int bx = 0; bx < m.across; ++bx) {

@@ -26,7 +26,7 @@ struct telling_shaders {
   }
 };
 
-TEST_CASE("shade_visible: the ids of draw_visibility become the picture of draw_batches") {
+TEST_CASE("shade_visible: the ids of draw_visibility become the picture of shade_batches") {
   test::random r(5);
   for (int i = 0; i < 150; ++i) {
     const int width = static_cast<int>(r.integer(1, 140)), height = static_cast<int>(r.integer(1, 90));
@@ -44,7 +44,7 @@ TEST_CASE("shade_visible: the ids of draw_visibility become the picture of draw_
     irg::image<irg::rgba8> expected(width, height), colour(width, height);
     irg::image<float> expected_depth(width, height), id_depth(width, height), depth(width, height);
     irg::image<std::uint32_t> ids(width, height);
-    irg::draw_batches(irg::render_target{expected, expected_depth}, {batches, mapping}, telling_shaders{}, settings);
+    irg::shade_batches(irg::render_target{expected, expected_depth}, {batches, mapping}, telling_shaders{}, settings);
     irg::draw_visibility({ids, id_depth}, {batches, mapping}, {culling, {}, irg::clearing::before_drawing});
     irg::shade_visible(irg::render_target{colour, depth}, {ids, {batches, mapping}}, telling_shaders{}, settings);
     REQUIRE(colour == expected);
@@ -83,7 +83,7 @@ TEST_CASE("shade_visible: where two pieces of a triangle cover a pixel, the near
   const auto weights = [](const auto&, std::uint32_t, irg::facing) {
     return [](const irg::pixel_weights<float>& at) { return irg::rgb<float>{at.weight1, at.weight2, at.depth}; };
   };
-  irg::draw_batches(irg::render_target{expected, expected_depth}, {batches, mapping}, weights, settings);
+  irg::shade_batches(irg::render_target{expected, expected_depth}, {batches, mapping}, weights, settings);
   irg::draw_visibility({ids, depth}, {batches, mapping}, {irg::face_culling::none, {}, irg::clearing::before_drawing});
   irg::shade_visible(irg::render_target{colour, depth}, {ids, {batches, mapping}}, weights, settings);
   CHECK(colour == expected);

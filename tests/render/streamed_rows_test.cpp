@@ -94,10 +94,10 @@ TEST_CASE("streamed_rows: a picture that is streamed has the pixels of one that 
   settings.clear = clearing::before_drawing;
   image<rgba8> picture(width, height), expected(width, height);
   image<float> depth(width, height), expected_depth(width, height);
-  const auto fast = draw_batches<nearer_is_greater, float>(render_target{picture, depth}, {all, mapping},
-                                                           colours{of_vertices}, settings);
-  const auto plain = draw_batches<plainly, float>(render_target{expected, expected_depth}, {all, mapping},
-                                                  colours{of_vertices}, settings);
+  const auto fast = shade_batches<nearer_is_greater, float>(render_target{picture, depth}, {all, mapping},
+                                                            colours{of_vertices}, settings);
+  const auto plain = shade_batches<plainly, float>(render_target{expected, expected_depth}, {all, mapping},
+                                                   colours{of_vertices}, settings);
   CHECK(fast.drawn == plain.drawn);
   CHECK(plain.skipped.occluded == 0);
   CHECK(fast.drawn > 100000);

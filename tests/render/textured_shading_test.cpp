@@ -56,7 +56,7 @@ constexpr rgba8 square_at(int x, int y, irg::texture_sampler sampler, irg::rgb<f
   irg::image<rgba8> colour(4, 4);
   irg::image<float> depth(4, 4, 0.0f);
   const batch one[1] = {{&projected, triangles, 0}};
-  irg::draw_batches(irg::render_target{colour, depth}, {one, mapping}, irg::textured_shading{objects, textures});
+  irg::shade_batches(irg::render_target{colour, depth}, {one, mapping}, irg::textured_shading{objects, textures});
   return colour(x, y);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("textured_shading: u and v within 4e-7 of the exact ones where the w o
     irg::image<float> depth(size, size, 0.0f);
     irg::draw_settings<textured_vertex> settings;
     settings.culling = irg::face_culling::none;
-    irg::draw_batches(irg::render_target{seen, depth}, {one, mapping}, recorder{{objects, {}}}, settings);
+    irg::shade_batches(irg::render_target{seen, depth}, {one, mapping}, recorder{{objects, {}}}, settings);
     // The exact weights, from the snapped positions and 1/w, in long double.
     long double px[3], py[3], q[3];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -243,7 +243,7 @@ TEST_CASE("textured_shading: the fast way equals the plain one, several textures
     const auto draw = [&]<class Order, class E>(Order, const E& executor) {
       irg::image<rgba8> colour(width, height);
       irg::image<float> depth(width, height, 0.5f);
-      irg::draw_batches<Order, double>(irg::render_target{colour, depth}, {two, mapping}, shading, settings, executor);
+      irg::shade_batches<Order, double>(irg::render_target{colour, depth}, {two, mapping}, shading, settings, executor);
       return colour;
     };
     const auto expected = draw(plainly{}, irg::sequential{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of visible triangles and their weights, against the pixel shaders of draw_batches.
+// Numbers of visible triangles and their weights, against the pixel shaders of shade_batches.
 #include <irg/render/visibility_buffer.hpp>
 
 #include <irg/core/threads.hpp>
@@ -72,8 +72,8 @@ void like_the_shaders(std::uint64_t seed, int scenes) {
         return mark{number, at.weight1, at.weight2, at.depth};
       };
     };
-    irg::draw_batches<Order, T>(irg::render_target{marks, depth}, {b.batches, b.mapping}, shader,
-                                {culling, {}, irg::clearing::before_drawing, mark{}});
+    irg::shade_batches<Order, T>(irg::render_target{marks, depth}, {b.batches, b.mapping}, shader,
+                                 {culling, {}, irg::clearing::before_drawing, mark{}});
     const buffer v = draw<Order>(b, width, height, culling);
     CAPTURE(i);
     REQUIRE(v.depth == depth);

@@ -186,11 +186,11 @@ TEST_CASE("visibility_oracle: triangles round a point share out its pixels, each
       for (int x = -2; x < 10; ++x) {
         using oracle = test::visibility_oracle<greater>;
         const auto winding = [&](const test::snapped_triangle& t) {
-          const std::int64_t area = irg::signed_double_area(t.v[0].position, t.v[1].position, t.v[2].position);
+          const std::int64_t area = irg::twice_signed_area(t.v[0].position, t.v[1].position, t.v[2].position);
           return oracle::covers(t, x, y, w) ? (area > 0 ? 1 : -1) : 0;
         };
         REQUIRE(winding(parts[0]) + winding(parts[1]) + winding(parts[2]) == winding(whole));
-        if (oracle::covers(whole, x, y, w)) REQUIRE(w[0] + w[1] + w[2] == std::abs(irg::signed_double_area(a, b, c)));
+        if (oracle::covers(whole, x, y, w)) REQUIRE(w[0] + w[1] + w[2] == std::abs(irg::twice_signed_area(a, b, c)));
       }
   }
 }
@@ -414,7 +414,7 @@ TEST_CASE("visible triangle: the same in one batch and in several") {
     };
     irg::draw_workspace workspace;
     for (int again = 0; again < 2; ++again) {  // a workspace that was used before
-      const auto stats = irg::draw_batches<greater, double>(
+      const auto stats = irg::shade_batches<greater, double>(
           irg::render_target{id, depth}, {batches, mapping}, shader,
           {.culling = face_culling::none, .clear = irg::clearing::before_drawing, .workspace = &workspace});
       REQUIRE(id == expected.id);

@@ -28,7 +28,7 @@ using irg::solid_boolean_status;
 using body = irg::mesh<double>;
 using place = irg::point<double, 3>;
 
-constexpr boolean_operation all_operations[] = {boolean_operation::unite, boolean_operation::intersection,
+constexpr boolean_operation all_operations[] = {boolean_operation::union_, boolean_operation::intersection,
                                                 boolean_operation::difference, boolean_operation::symmetric_difference};
 
 constexpr body box(const place& low, const place& high) {
@@ -53,7 +53,7 @@ body tetrahedron(place a, place b, place c, const place& d) {
 
 constexpr double volume(const body& a, const body& b, boolean_operation operation) {
   const auto r = solid_boolean(a, b, operation);
-  return r.status == solid_boolean_status::done ? irg::solid_volume(r.value) : -1;
+  return r.status == solid_boolean_status::ok ? irg::solid_volume(r.value) : -1;
 }
 // Of what the four operations make.
 std::vector<double> volumes(const body& a, const body& b) {
@@ -68,7 +68,7 @@ int check_identities(const body& a, const body& b) {
   irg::solid_boolean_result<double> made[4];
   for (int i = 0; i < 4; ++i) {
     made[i] = solid_boolean(a, b, all_operations[i]);
-    REQUIRE(made[i].status == solid_boolean_status::done);
+    REQUIRE(made[i].status == solid_boolean_status::ok);
     REQUIRE(test::is_balanced(made[i].value));
     REQUIRE(made[i].faces.size() == made[i].value.face_count());
     REQUIRE(made[i].corners.size() == made[i].value.positions.size());
@@ -106,7 +106,7 @@ TEST_CASE("solid_boolean: a body with itself, with nothing, with what is apart, 
   CHECK(solid_boolean(a, a, boolean_operation::difference).value == none);
   CHECK(volumes(a, none) == numbers{v, 0, v, v});
   CHECK(volumes(none, a) == numbers{v, 0, 0, v});
-  CHECK(solid_boolean(none, none, boolean_operation::unite).value == none);
+  CHECK(solid_boolean(none, none, boolean_operation::union_).value == none);
   CHECK(volumes(cube(0, 0, 0), cube(5, 0, 0)) == numbers{2, 0, 1, 2});
   CHECK(volumes(cube(0, 0, 0, 4), cube(1, 1, 1)) == numbers{64, 1, 63, 63});
   CHECK(volumes(cube(1, 1, 1), cube(0, 0, 0, 4)) == numbers{64, 1, 0, 63});
@@ -116,7 +116,7 @@ namespace {
 
 // Pairs of triangles, and those whose boxes meet, by asking all; with a number of parts that is known otherwise.
 constexpr irg::solid_boolean_counts counted_by_force(const body& a, const body& b, std::uint64_t parts) {
-  const body of[2] = {irg::triangulate(a), irg::triangulate(b)};
+  const body of[2] = {irg::triangulated(a), irg::triangulated(b)};
   irg::solid_boolean_counts counts{0, 0, parts};
   for (std::size_t f = 0; f < of[0].face_count(); ++f)
     for (std::size_t g = 0; g < of[1].face_count(); ++g) {
@@ -142,10 +142,10 @@ constexpr irg::solid_boolean_counts counted_by_force(const body& a, const body& 
 }  // namespace
 
 TEST_CASE("solid_boolean: the pairs whose boxes meet are counted, and the parts") {
-  const auto counts = [](const body& a, const body& b, boolean_operation operation = boolean_operation::unite) {
+  const auto counts = [](const body& a, const body& b, boolean_operation operation = boolean_operation::union_) {
     return solid_boolean(a, b, operation).counts;
   };
-  CHECK_BOTH(solid_boolean(cube(0, 0, 0), cube(5, 0, 0), boolean_operation::unite).counts ==
+  CHECK_BOTH(solid_boolean(cube(0, 0, 0), cube(5, 0, 0), boolean_operation::union_).counts ==
              irg::solid_boolean_counts{144, 0, 2});
   const body block = cube(0, 0, 0, 4), corner = cube(3, 3, 3, 4), within = cube(1, 1, 1);
   CHECK(counts(block, within) == counted_by_force(block, within, 2));
@@ -183,11 +183,11 @@ TEST_CASE("solid_boolean: faces in one plane that touch, overlap, face each othe
 TEST_CASE("solid_boolean: an edge or a corner in common, an edge that lies in a face, a corner in an edge") {
   CHECK(volumes(cube(0, 0, 0), cube(1, 1, 0)) == numbers{2, 0, 1, 2});
   CHECK(volumes(cube(0, 0, 0), cube(1, 1, 1)) == numbers{2, 0, 1, 2});
-  const auto edge = solid_boolean(cube(0, 0, 0), cube(1, 1, 0), boolean_operation::unite).value;
+  const auto edge = solid_boolean(cube(0, 0, 0), cube(1, 1, 0), boolean_operation::union_).value;
   CHECK(irg::list_faults(edge) ==
         std::vector<irg::mesh_fault>{
             {irg::mesh_fault_kind::edge_of_many_faces, irg::list_faults(edge)[0].a, irg::list_faults(edge)[0].b, 4}});
-  const auto corner = solid_boolean(cube(0, 0, 0), cube(1, 1, 1), boolean_operation::unite).value;
+  const auto corner = solid_boolean(cube(0, 0, 0), cube(1, 1, 1), boolean_operation::union_).value;
   REQUIRE(irg::list_faults(corner).size() == 1);
   CHECK(irg::list_faults(corner)[0].kind == irg::mesh_fault_kind::vertex_of_many_fans);
   const body wedge = tetrahedron({0.25, 0.25, 1}, {0.75, 0.75, 1}, {0.25, 0.75, 2}, {0.75, 0.25, 2});
@@ -242,7 +242,7 @@ TEST_CASE("solid_boolean: heaps of lattice boxes, one step after another, agains
       const auto which = static_cast<std::size_t>(step == 0 ? 0 : r.integer(0, 3));
       const auto operation = all_operations[which];
       auto next = solid_boolean(heap, box(low, high), operation);
-      REQUIRE(next.status == solid_boolean_status::done);
+      REQUIRE(next.status == solid_boolean_status::ok);
       REQUIRE(test::is_balanced(next.value));
       heap = std::move(next.value);
       double count = 0;
@@ -309,7 +309,7 @@ TEST_CASE("solid_boolean: spheres, tori, float and double") {
   for (place& p : c.positions) p = {p.y + 1, p.z, p.x};
   check_identities(c, irg::shape_torus<double>());  // two links of a chain
   const auto r = solid_boolean(irg::shape_sphere<float>(), irg::shape_torus<float>(), boolean_operation::difference);
-  CHECK(r.status == solid_boolean_status::done);
+  CHECK(r.status == solid_boolean_status::ok);
   CHECK(test::is_balanced(r.value));
 }
 
@@ -330,7 +330,7 @@ TEST_CASE("solid_boolean: prisms of many corners that stand on one plane") {
   for (place& p : b.positions) p = {p.x + 0.3, p.y + 0.1, p.z};
   CHECK(check_identities(a, b) == 1);
   // No corners where only diagonals of the caps cross.
-  CHECK(solid_boolean(a, b, boolean_operation::unite).value.face_count() == 8 * n + 4);
+  CHECK(solid_boolean(a, b, boolean_operation::union_).value.face_count() == 8 * n + 4);
 }
 
 TEST_CASE("solid_boolean: each face tells where it comes from") {
@@ -348,7 +348,7 @@ TEST_CASE("solid_boolean: each face tells where it comes from") {
 TEST_CASE("solid_boolean: what is no body is refused with the reason") {
   const body good = cube(0.25, 0.25, 0.25);
   const auto status = [&](const body& bad) {
-    const auto r = solid_boolean(good, bad, boolean_operation::unite);
+    const auto r = solid_boolean(good, bad, boolean_operation::union_);
     CHECK(r.value == body{});
     CHECK((r.status == solid_boolean_status::not_a_body || r.body == 1));
     return r.status;
@@ -363,7 +363,7 @@ TEST_CASE("solid_boolean: what is no body is refused with the reason") {
   body fin = cube(0, 0, 0);
   fin.positions.push_back({2, 2, 2});
   irg::add_face(fin, std::initializer_list<int>{0, 1, 8});
-  CHECK(status(fin) != solid_boolean_status::done);
+  CHECK(status(fin) != solid_boolean_status::ok);
   body infinite = cube(0, 0, 0);
   infinite.positions[3].x = std::numeric_limits<double>::infinity();
   CHECK(status(infinite) == solid_boolean_status::not_finite);
@@ -416,12 +416,12 @@ TEST_CASE("solid_boolean: a shell turned inside out is refused, and named, where
   // Small, far off, of all magnitudes: the sign of the volume is exact.
   for (const double size : {0x1p-340, 0x1p-20, 0x1p340}) check_culprit(good, shells({{cube(0, 0, 0, size), true}}));
   check_culprit(good, shells({{tetrahedron({0x1p-300, 5, 0}, {0x1p300, 5, 1}, {0, 6, 0}, {7, 7, 0x1p-200}), true}}));
-  CHECK(solid_boolean(good, good, boolean_operation::unite).body == no_body);
+  CHECK(solid_boolean(good, good, boolean_operation::union_).body == no_body);
 }
 
 TEST_CASE("solid_boolean: cavities, shells in them and shells that touch are a body") {
   const body good = cube(9, 0, 0);
-  const auto sum = [&](const body& b) { return volume(good, b, boolean_operation::unite); };
+  const auto sum = [&](const body& b) { return volume(good, b, boolean_operation::union_); };
   CHECK(sum(shells({{cube(0, 0, 0, 4), false}, {cube(1, 1, 1, 2), true}})) == 57);
   CHECK(sum(shells({{cube(1, 1, 1, 2), true}, {cube(0, 0, 0, 4), false}})) == 57);
   CHECK(sum(shells({{cube(0, 0, 0, 8), false}, {cube(1, 1, 1, 6), true}, {cube(2, 2, 2, 2), false}})) == 305);
@@ -432,7 +432,7 @@ TEST_CASE("solid_boolean: cavities, shells in them and shells that touch are a b
   for (int i = 0, n = trials(500, 20000); i < n; ++i, ++holes)
     add_shell(sponge, cube(1 + i % 30 * 3, 1 + i / 30 % 30 * 3, 1 + i / 900 * 3, 1), true);
   const body away = cube(200, 0, 0);
-  CHECK(volume(away, sponge, boolean_operation::unite) == 1e6 - holes + 1);
+  CHECK(volume(away, sponge, boolean_operation::union_) == 1e6 - holes + 1);
 }
 
 TEST_CASE("solid_boolean: a body that cuts itself is named where it shows") {
@@ -444,8 +444,8 @@ TEST_CASE("solid_boolean: a body that cuts itself is named where it shows") {
   const auto mid = static_cast<std::uint32_t>(flat.positions.size());
   flat.positions.push_back({0.5, 0, 0});
   irg::add_face(flat, std::vector<std::uint32_t>{0, 1, mid});
-  const auto r = solid_boolean(cube(0.25, -0.5, -0.5), flat, boolean_operation::unite);
-  CHECK(r.status != solid_boolean_status::done);
+  const auto r = solid_boolean(cube(0.25, -0.5, -0.5), flat, boolean_operation::union_);
+  CHECK(r.status != solid_boolean_status::ok);
   CHECK(r.body == 1);
 }
 
@@ -457,8 +457,8 @@ TEST_CASE("solid_boolean: a chain of a thousand steps stays a body") {
     const double x = static_cast<double>(r.integer(-64, 512)) / 64, y = static_cast<double>(r.integer(-64, 512)) / 64,
                  z = static_cast<double>(r.integer(-64, 512)) / 64;
     auto next =
-        solid_boolean(all, cube(x, y, z, 0.75), step % 2 ? boolean_operation::difference : boolean_operation::unite);
-    REQUIRE(next.status == solid_boolean_status::done);
+        solid_boolean(all, cube(x, y, z, 0.75), step % 2 ? boolean_operation::difference : boolean_operation::union_);
+    REQUIRE(next.status == solid_boolean_status::ok);
     REQUIRE(test::is_balanced(next.value));
     all = std::move(next.value);
     ++done;

@@ -95,7 +95,7 @@ std::vector<big_rational> ends_of(const tree& t, const ray& r) {
 
 TEST_CASE("csg_spans: stretches of a box with a hole, through sides and corners, at compile time, too") {
   constexpr auto is = [](double x, double y, std::initializer_list<double> ends) {
-    const tree t = irg::combine(box(0, 0, 0, 4), box(1, 1, 1, 2), boolean_operation::difference);
+    const tree t = irg::csg_boolean(box(0, 0, 0, 4), box(1, 1, 1, 2), boolean_operation::difference);
     const spans s = irg::csg_spans(t).upward(x, y);
     const double* end = ends.begin();
     if (2 * s.size() != ends.size()) return false;
@@ -116,7 +116,7 @@ TEST_CASE("csg_spans: stretches of a box with a hole, through sides and corners,
 
 TEST_CASE("csg_spans: from a ray's low to its high end, in lengths of its direction; the faces at the ends") {
   constexpr auto along = [](const ray& r) {
-    return irg::csg_spans(irg::combine(box(0, 0, 0, 4), box(1, 1, 1, 2), boolean_operation::difference)).along(r);
+    return irg::csg_spans(irg::csg_boolean(box(0, 0, 0, 4), box(1, 1, 1, 2), boolean_operation::difference)).along(r);
   };
   CHECK_BOTH(along({{-2, 2, 2}, {2, 0, 0}}).size() == 2);
   CHECK_BOTH(along({{-2, 2, 2}, {2, 0, 0}})[0].from == 1.0);
@@ -144,7 +144,8 @@ TEST_CASE("csg_spans: rays without points, empty trees, bodies that are not fini
   CHECK(irg::csg_spans(tree()).along({{0, 0, 0}, {1, 0, 0}}).empty());
   tree broken = box(0, 0, 0, 1);
   broken.bodies[0].positions[0].x = inf;
-  CHECK(irg::csg_spans(irg::combine(broken, box(0, 0, 0, 1), boolean_operation::unite)).upward(0.5, 0.25).size() == 1);
+  CHECK(irg::csg_spans(irg::csg_boolean(broken, box(0, 0, 0, 1), boolean_operation::union_)).upward(0.5, 0.25).size() ==
+        1);
   for (const double size : {1e-300, 1e-150, 1e150, 1e300})
     for (const double length : {1e-5, 1.0, 1e5}) {
       const auto s = irg::csg_spans(box(0, 0, 0, size)).along({{-size, size / 2, size / 2}, {size * length, 0, 0}});
@@ -154,7 +155,7 @@ TEST_CASE("csg_spans: rays without points, empty trees, bodies that are not fini
       CHECK(s[0].to == doctest::Approx(2 / length));
     }
   // Nearer than numbers are.
-  const tree thin = irg::combine(box(0, 0, 0, 1), box(0, 0, 0x1p-60, 1), boolean_operation::difference);
+  const tree thin = irg::csg_boolean(box(0, 0, 0, 1), box(0, 0, 0x1p-60, 1), boolean_operation::difference);
   CHECK(irg::csg_spans(thin).along({{0.5, 0.25, -1}, {0, 0, 1}}).empty());
   CHECK(irg::csg_spans(thin).upward(0.5, 0.25).size() == 1);
 }
@@ -169,8 +170,8 @@ TEST_CASE("csg_spans: trees of lattice boxes at random: mesh and spans say the s
       parts.push_back(box(x, y, z, static_cast<double>(r.integer(1, 4))));
     }
     const tree t = test::combine_at_random(std::move(parts), r);
-    const auto made = irg::mesh_of(t);
-    REQUIRE(made.status == irg::solid_boolean_status::done);
+    const auto made = irg::to_mesh(t);
+    REQUIRE(made.status == irg::solid_boolean_status::ok);
     CHECK(test::is_balanced(made.value));
     const irg::csg_spans<double> through(t), through_mesh{tree(made.value)};
     double volume = 0;

@@ -98,8 +98,8 @@ big_rational six_volumes_by_sets(const tree& t) {
 
 // Six times the volume of what mesh_of makes, which is closed and says where it comes from.
 big_rational six_volumes_made(const tree& t) {
-  const auto made = irg::mesh_of(t);
-  REQUIRE(made.status == irg::solid_boolean_status::done);
+  const auto made = irg::to_mesh(t);
+  REQUIRE(made.status == irg::solid_boolean_status::ok);
   REQUIRE(test::is_balanced(made.value));
   REQUIRE(made.faces.size() == made.value.face_count());
   return test::six_volumes(made, t.bodies);
@@ -110,27 +110,27 @@ big_rational six_volumes_made(const tree& t) {
 
 TEST_CASE("csg_tree: nothing, bodies by themselves, the same body twice, steps that are not used") {
   const auto faces = [](const tree& t) {
-    const auto made = irg::mesh_of(t);
-    CHECK(made.status == irg::solid_boolean_status::done);
+    const auto made = irg::to_mesh(t);
+    CHECK(made.status == irg::solid_boolean_status::ok);
     return made.value.face_count();
   };
   CHECK(faces(tree()) == 0);
-  CHECK(faces(irg::combine(tree(), box(0, 0, 0, 1), boolean_operation::unite)) == 12);
+  CHECK(faces(irg::csg_boolean(tree(), box(0, 0, 0, 1), boolean_operation::union_)) == 12);
   CHECK(faces(box(0, 0, 0, 1)) == 12);
   tree shared = box(0, 0, 0, 1);
   shared.steps.push_back({irg::csg_step::none, boolean_operation::symmetric_difference, 0, 0});
   CHECK(faces(shared) == 0);
-  shared.steps.push_back({irg::csg_step::none, boolean_operation::unite, 1, 0});
+  shared.steps.push_back({irg::csg_step::none, boolean_operation::union_, 1, 0});
   CHECK(faces(shared) == 12);
-  tree with_unused = irg::combine(box(0, 0, 0, 1), box(0.5, 0, 0, 1), boolean_operation::unite);
+  tree with_unused = irg::csg_boolean(box(0, 0, 0, 1), box(0.5, 0, 0, 1), boolean_operation::union_);
   with_unused.steps.push_back({1, {}, irg::csg_step::none, irg::csg_step::none});
-  const auto made = irg::mesh_of(with_unused);
+  const auto made = irg::to_mesh(with_unused);
   CHECK(made.value.face_count() == 12);
   CHECK(made.faces[0].body == 1);
   // Three bodies apart, of 12 triangles each: all pairs, none of which meets, and three parts.
-  const tree apart = irg::combine(irg::combine(box(0, 0, 0, 1), box(3, 0, 0, 1), boolean_operation::unite),
-                                  box(6, 0, 0, 1), boolean_operation::unite);
-  CHECK(irg::mesh_of(apart).counts == irg::solid_boolean_counts{3 * 144, 0, 3});
+  const tree apart = irg::csg_boolean(irg::csg_boolean(box(0, 0, 0, 1), box(3, 0, 0, 1), boolean_operation::union_),
+                                      box(6, 0, 0, 1), boolean_operation::union_);
+  CHECK(irg::to_mesh(apart).counts == irg::solid_boolean_counts{3 * 144, 0, 3});
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -156,14 +156,14 @@ TEST_CASE("csg_tree: deep trees are not rounded on the way") {
     const auto at = [&] { return static_cast<double>(r.integer(-512, 512)) / 1024; };
     tree deep = tetrahedron(at);
     for (int step = 0; step < 10; ++step)
-      deep = irg::combine(std::move(deep), tetrahedron(at),
-                          step % 3 == 1 ? boolean_operation::difference : boolean_operation::symmetric_difference);
+      deep = irg::csg_boolean(std::move(deep), tetrahedron(at),
+                              step % 3 == 1 ? boolean_operation::difference : boolean_operation::symmetric_difference);
     const tree other = tetrahedron(at);
     const big_rational one = six_volumes_made(deep), two = six_volumes_made(other);
-    const big_rational both = six_volumes_made(irg::combine(deep, other, boolean_operation::intersection));
-    const bool either = six_volumes_made(irg::combine(deep, other, boolean_operation::unite)) == one + two - both;
-    const bool less = six_volumes_made(irg::combine(deep, other, boolean_operation::difference)) == one - both;
-    const bool none = six_volumes_made(irg::combine(deep, deep, boolean_operation::difference)).sign() == 0;
+    const big_rational both = six_volumes_made(irg::csg_boolean(deep, other, boolean_operation::intersection));
+    const bool either = six_volumes_made(irg::csg_boolean(deep, other, boolean_operation::union_)) == one + two - both;
+    const bool less = six_volumes_made(irg::csg_boolean(deep, other, boolean_operation::difference)) == one - both;
+    const bool none = six_volumes_made(irg::csg_boolean(deep, deep, boolean_operation::difference)).sign() == 0;
     CHECK(either);
     CHECK(less);
     CHECK(none);
@@ -179,12 +179,12 @@ TEST_CASE("csg_tree: a chain of steps as one tree, and step after step: the same
     const auto at = [&] { return static_cast<double>(r.integer(-64, 512)) / 64; };
     const double x = at(), y = at();
     const tree next = box(x, y, at(), 0.75);
-    const auto operation = step % 2 ? boolean_operation::difference : boolean_operation::unite;
+    const auto operation = step % 2 ? boolean_operation::difference : boolean_operation::union_;
     by_steps = irg::solid_boolean(by_steps, next.bodies[0], operation).value;
-    all = irg::combine(std::move(all), next, operation);
+    all = irg::csg_boolean(std::move(all), next, operation);
   }
-  const auto made = irg::mesh_of(all);
-  REQUIRE(made.status == irg::solid_boolean_status::done);
+  const auto made = irg::to_mesh(all);
+  REQUIRE(made.status == irg::solid_boolean_status::ok);
   CHECK(test::is_balanced(made.value));
   CHECK(irg::solid_volume(made.value) == irg::solid_volume(by_steps));
 }
@@ -196,11 +196,11 @@ TEST_CASE("csg_tree: six balls, whose steps would cut themselves where they are 
     irg::mesh<double> ball = irg::shape_sphere<double>({.slices = 16, .stacks = 12});
     const double x = r.unit(), y = r.unit(), z = r.unit();
     for (auto& p : ball.positions) p = {p.x + x, p.y + y, p.z + z};
-    all = irg::combine(std::move(all), tree(ball),
-                       i % 2 ? boolean_operation::difference : boolean_operation::symmetric_difference);
+    all = irg::csg_boolean(std::move(all), tree(ball),
+                           i % 2 ? boolean_operation::difference : boolean_operation::symmetric_difference);
   }
-  const auto made = irg::mesh_of(all);
-  REQUIRE(made.status == irg::solid_boolean_status::done);
+  const auto made = irg::to_mesh(all);
+  REQUIRE(made.status == irg::solid_boolean_status::ok);
   CHECK(test::is_balanced(made.value));
   for (const auto& face : made.faces) CHECK(face.body < 6);
 }
@@ -209,7 +209,7 @@ TEST_CASE("csg_tree: a body that is none") {
   tree open = box(0, 0, 0, 1);
   open.bodies[0].corners.resize(33);
   open.bodies[0].face_starts.pop_back();
-  const auto made = irg::mesh_of(irg::combine(box(3, 0, 0, 1), open, boolean_operation::unite));
+  const auto made = irg::to_mesh(irg::csg_boolean(box(3, 0, 0, 1), open, boolean_operation::union_));
   CHECK(made.status == irg::solid_boolean_status::open_edge);
   CHECK(made.body == 1);
 }
@@ -218,8 +218,9 @@ TEST_CASE("csg_tree: the steps of two trees put together name their own bodies a
   using T = irg::csg_tree<double>;
   constexpr std::uint32_t none = irg::csg_step::none;
   const T leaf(irg::mesh<double>{});
-  const T both = irg::combine(irg::combine(leaf, leaf, boolean_operation::unite),
-                              irg::combine(leaf, leaf, boolean_operation::intersection), boolean_operation::difference);
+  const T both =
+      irg::csg_boolean(irg::csg_boolean(leaf, leaf, boolean_operation::union_),
+                       irg::csg_boolean(leaf, leaf, boolean_operation::intersection), boolean_operation::difference);
   REQUIRE(both.bodies.size() == 4);
   REQUIRE(both.steps.size() == 7);
   const std::uint32_t body[]{0, 1, none, 2, 3, none, none}, first[]{none, none, 0, none, none, 3, 2},
@@ -229,12 +230,12 @@ TEST_CASE("csg_tree: the steps of two trees put together name their own bodies a
     CHECK(both.steps[i].first == first[i]);
     CHECK(both.steps[i].second == second[i]);
   }
-  CHECK(both.steps[2].operation == boolean_operation::unite);
+  CHECK(both.steps[2].operation == boolean_operation::union_);
   CHECK(both.steps[5].operation == boolean_operation::intersection);
   CHECK(both.steps[6].operation == boolean_operation::difference);
   // Nothing has no step.
-  const T with_nothing = irg::combine(leaf, T{}, boolean_operation::difference),
-          of_nothing = irg::combine(T{}, leaf, boolean_operation::difference);
+  const T with_nothing = irg::csg_boolean(leaf, T{}, boolean_operation::difference),
+          of_nothing = irg::csg_boolean(T{}, leaf, boolean_operation::difference);
   CHECK((with_nothing.steps.back().first == 0 && with_nothing.steps.back().second == none));
   CHECK((of_nothing.steps.back().first == none && of_nothing.steps.back().second == 0));
 }

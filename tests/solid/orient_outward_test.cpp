@@ -31,7 +31,7 @@ TEST_CASE("orient_outward: a body inside out, at compile time, too; what has no 
     body m = irg::shape_tetrahedron<double>();
     const body before = m;
     for (std::size_t f = 0; f < 4; ++f) irg::turn_face(m, f);
-    return irg::orient_outward(m) == irg::outward_status::done && m == before;
+    return irg::orient_outward(m) == irg::outward_status::ok && m == before;
   }());
   body grid = irg::shape_grid<double>();
   CHECK(irg::orient_outward(grid) == irg::outward_status::open);
@@ -56,7 +56,7 @@ TEST_CASE("orient_outward: shells in shells, faces turned at random") {
     }
     for (std::size_t f = 0; f < m.face_count(); ++f)
       if (r.integer(0, 1) == 1) irg::turn_face(m, f);
-    CHECK(irg::orient_outward(m) == irg::outward_status::done);
+    CHECK(irg::orient_outward(m) == irg::outward_status::ok);
     CHECK(irg::solid_volume(m) == doctest::Approx(volume).epsilon(1e-14));
     const double centre_is_inside = depth % 2;
     CHECK((irg::point_in_solid(m, {0, 0, 0}) == irg::location::inside) == (centre_is_inside != 0));
@@ -69,7 +69,7 @@ TEST_CASE("orient_outward: bodies whose volume is too small or too large for a n
     append(m, irg::shape_cube<double>(), scale);
     const body before = m;
     for (std::size_t f = 0; f < m.face_count(); ++f) irg::turn_face(m, f);
-    CHECK(irg::orient_outward(m) == irg::outward_status::done);
+    CHECK(irg::orient_outward(m) == irg::outward_status::ok);
     CHECK(m == before);
   }
 }
@@ -113,7 +113,7 @@ TEST_CASE("orient_outward: cavities that touch the shell round them, with a corn
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const auto volume = [&](const body& m) {
       body t = turned_at_random(m, seed);
-      CHECK(irg::orient_outward(t) == irg::outward_status::done);
+      CHECK(irg::orient_outward(t) == irg::outward_status::ok);
       return irg::solid_volume(t);
     };
     CHECK(volume(in_cube) == doctest::Approx(64 - 4 / 3.0));
@@ -133,7 +133,7 @@ TEST_CASE("orient_outward: thousands of shells side by side, a shell in each") {
       append(m, irg::shape_tetrahedron<double>(), size);
       for (std::size_t v = first; v < m.positions.size(); ++v) m.positions[v].x += 4.0 * i;
     }
-  CHECK(irg::orient_outward(m) == irg::outward_status::done);
+  CHECK(irg::orient_outward(m) == irg::outward_status::ok);
   CHECK(irg::solid_volume(m) ==
         doctest::Approx(count * 0.875 * irg::solid_volume(irg::shape_tetrahedron<double>())).epsilon(1e-9));
 }

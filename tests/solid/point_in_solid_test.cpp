@@ -303,7 +303,7 @@ TEST_CASE("point_in_solid: tetrahedra of any magnitude, points on and beside the
 
 TEST_CASE("point_in_solid: a torus, points that its corners, sides and planes are aligned with (oracle: rationals)") {
   test::random random(43);
-  solid_mesh torus = irg::triangulate(irg::shape_torus<double>());
+  solid_mesh torus = irg::triangulated(irg::shape_torus<double>());
   torus = moved(torus, 8, {});
   for (solid_point& p : torus.positions) p = {std::nearbyint(p.x), std::nearbyint(p.y), std::nearbyint(p.z)};
   const irg::solid_locator locate(torus);

@@ -23,53 +23,54 @@ int trials(int few, int many) {
 
 constexpr P times(const P& p, double s) { return {p.x * s, p.y * s, p.z * s}; }
 
-TEST_CASE("cross_triangle: inside, beside, sides and corners, edge on, from the surface") {
+TEST_CASE("intersect_triangle: inside, beside, sides and corners, edge on, from the surface") {
   constexpr P a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
   constexpr auto down = [](double x, double y) { return R{{x, y, 2}, {0, 0, -4}}; };
-  constexpr auto x = irg::cross_triangle(down(0.25, 0.5), a, b, c);
+  constexpr auto x = irg::intersect_triangle(down(0.25, 0.5), a, b, c);
   CHECK_BOTH(x.value_or(irg::ray_crossing{}) == irg::ray_crossing{irg::facing::front, 0.5, 0.25, 0.5});
-  CHECK_BOTH(irg::cross_triangle(down(0.25, 0.5), a, c, b)->side == irg::facing::back);
-  CHECK_BOTH(!irg::cross_triangle(down(0.75, 0.5), a, b, c));
-  CHECK_BOTH(!irg::cross_triangle(R{{0.25, 0.5, -1}, {0, 0, -1}}, a, b, c));
+  CHECK_BOTH(irg::intersect_triangle(down(0.25, 0.5), a, c, b)->side == irg::facing::back);
+  CHECK_BOTH(!irg::intersect_triangle(down(0.75, 0.5), a, b, c));
+  CHECK_BOTH(!irg::intersect_triangle(R{{0.25, 0.5, -1}, {0, 0, -1}}, a, b, c));
   // A square of two triangles: its corners and sides belong to those whom the moved origin meets.
   constexpr P d{1, 1, 0};
   const auto count = [=](double px, double py) {
-    return irg::cross_triangle(down(px, py), a, b, d).has_value() +
-           irg::cross_triangle(down(px, py), a, d, c).has_value();
+    return irg::intersect_triangle(down(px, py), a, b, d).has_value() +
+           irg::intersect_triangle(down(px, py), a, d, c).has_value();
   };
   CHECK(count(0.5, 0.5) == 1);
   CHECK(count(0, 0) == 1);
   CHECK(count(1, 1) == 0);
   CHECK(count(0.5, 0) == 1);
   CHECK(count(0.5, 1) == 0);
-  CHECK_BOTH(!irg::cross_triangle(R{{-1, 0.25, 0}, {1, 0, 0}}, a, b, c));
-  CHECK_BOTH(!irg::cross_triangle(R{{-1, 0, 0}, {1, 0, 0}}, a, b, c));
+  CHECK_BOTH(!irg::intersect_triangle(R{{-1, 0.25, 0}, {1, 0, 0}}, a, b, c));
+  CHECK_BOTH(!irg::intersect_triangle(R{{-1, 0, 0}, {1, 0, 0}}, a, b, c));
   // From the surface: the origin is moved upwards.
-  CHECK_BOTH(irg::cross_triangle(R{{0.25, 0.25, 0}, {0, 0, -1}}, a, b, c).has_value());
-  CHECK_BOTH(!irg::cross_triangle(R{{0.25, 0.25, 0}, {0, 0, 1}}, a, b, c));
+  CHECK_BOTH(irg::intersect_triangle(R{{0.25, 0.25, 0}, {0, 0, -1}}, a, b, c).has_value());
+  CHECK_BOTH(!irg::intersect_triangle(R{{0.25, 0.25, 0}, {0, 0, 1}}, a, b, c));
   // To the surface: the end is moved, too.
-  CHECK_BOTH(!irg::cross_triangle(R{{0.25, 0.25, 1}, {0, 0, -1}, 0, 1}, a, b, c));
-  CHECK_BOTH(irg::cross_triangle(R{{0.25, 0.25, -1}, {0, 0, 1}, 0, 1}, a, b, c).has_value());
-  CHECK_BOTH(!irg::cross_triangle(R{{0.25, 0.25, 1}, {0, 0, 0}}, a, b, c));
-  CHECK_BOTH(!irg::cross_triangle(R{{0.25, 0.25, 1}, {0, 0, -1}}, a, a, a));
+  CHECK_BOTH(!irg::intersect_triangle(R{{0.25, 0.25, 1}, {0, 0, -1}, 0, 1}, a, b, c));
+  CHECK_BOTH(irg::intersect_triangle(R{{0.25, 0.25, -1}, {0, 0, 1}, 0, 1}, a, b, c).has_value());
+  CHECK_BOTH(!irg::intersect_triangle(R{{0.25, 0.25, 1}, {0, 0, 0}}, a, b, c));
+  CHECK_BOTH(!irg::intersect_triangle(R{{0.25, 0.25, 1}, {0, 0, -1}}, a, a, a));
   using F = irg::point<float, 3>;
-  CHECK_BOTH(irg::cross_triangle(irg::ray<float, 3>{{0.25f, 0.25f, 1e-44f}, {0, 0, -1e-44f}}, F{0, 0, 0}, F{1, 0, 0},
-                                 F{0, 1, 0})
+  CHECK_BOTH(irg::intersect_triangle(irg::ray<float, 3>{{0.25f, 0.25f, 1e-44f}, {0, 0, -1e-44f}}, F{0, 0, 0},
+                                     F{1, 0, 0}, F{0, 1, 0})
                  ->t == 1);
 }
 
-TEST_CASE("cross_triangle: extremes") {
+TEST_CASE("intersect_triangle: extremes") {
   for (const double s : {1.0, 1e-300, 1e300, 1e-160, 1e160, 0x1p-1060, 0x1p-1074}) {
-    const auto x = irg::cross_triangle(R{{s, 2 * s, 4 * s}, {0, 0, -s}}, P{0, 0, 0}, P{4 * s, 0, 0}, P{0, 8 * s, 0});
+    const auto x =
+        irg::intersect_triangle(R{{s, 2 * s, 4 * s}, {0, 0, -s}}, P{0, 0, 0}, P{4 * s, 0, 0}, P{0, 8 * s, 0});
     REQUIRE(x.has_value());
     CHECK(x->t == 4);
     CHECK(x->weight_b == 0.25);
     CHECK(x->weight_c == 0.25);
   }
-  CHECK(irg::cross_triangle(R{{0, 0, most}, {0, 0, -least}}, P{-most, -most, -most}, P{most, -most, -most},
-                            P{0, most, -most}));
-  CHECK(!irg::cross_triangle(R{{0, 0, most}, {0, 0, least}}, P{-most, -most, -most}, P{most, -most, -most},
-                             P{0, most, -most}));
+  CHECK(irg::intersect_triangle(R{{0, 0, most}, {0, 0, -least}}, P{-most, -most, -most}, P{most, -most, -most},
+                                P{0, most, -most}));
+  CHECK(!irg::intersect_triangle(R{{0, 0, most}, {0, 0, least}}, P{-most, -most, -most}, P{most, -most, -most},
+                                 P{0, most, -most}));
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -116,7 +117,8 @@ struct oracle {
   }
 };
 
-TEST_CASE("cross_triangle: against rationals, on a lattice where most rays meet sides, corners and their own ends") {
+TEST_CASE(
+    "intersect_triangle: against rationals, on a lattice where most rays meet sides, corners and their own ends") {
   test::random random(19);
   int crossed = 0;
   for (int i = 0; i < trials(3000, 300000); ++i) {
@@ -133,7 +135,7 @@ TEST_CASE("cross_triangle: against rationals, on a lattice where most rays meet 
     if (i % 3 == 1) r.high = 1;
     if (i % 3 == 2) r.low = 0.5;
     if (i % 7 == 0) r.direction = (a - r.origin) + (b - r.origin);
-    const auto x = irg::cross_triangle(r, a, b, c);
+    const auto x = irg::intersect_triangle(r, a, b, c);
     if (irg::is_empty(r)) {
       CHECK(!x);
       continue;
@@ -149,7 +151,7 @@ TEST_CASE("cross_triangle: against rationals, on a lattice where most rays meet 
   CHECK(crossed > 20);
 }
 
-TEST_CASE("cross_triangle: against rationals, with corners a few steps beside the ray and mixed magnitudes") {
+TEST_CASE("intersect_triangle: against rationals, with corners a few steps beside the ray and mixed magnitudes") {
   test::random random(20);
   int crossed = 0;
   for (int i = 0; i < trials(3000, 300000); ++i) {
@@ -165,7 +167,7 @@ TEST_CASE("cross_triangle: against rationals, with corners a few steps beside th
     };
     const P a = near(), b = i % 3 == 0 ? near() : P{coordinate(), coordinate(), coordinate()},
             c{coordinate(), coordinate(), coordinate()};
-    const auto x = irg::cross_triangle(r, a, b, c);
+    const auto x = irg::intersect_triangle(r, a, b, c);
     Q t(0);
     const int expected = oracle(r, 1, 0x1p-800)(a, b, c, t);
     REQUIRE(x.has_value() == (expected != 0));
@@ -176,7 +178,7 @@ TEST_CASE("cross_triangle: against rationals, with corners a few steps beside th
 
 #endif
 
-TEST_CASE("cross_triangle: through corners and sides of a closed surface, at every scale") {
+TEST_CASE("intersect_triangle: through corners and sides of a closed surface, at every scale") {
   const std::array<P, 6> corner{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
   const std::array<std::array<std::size_t, 3>, 8> face{
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
@@ -192,7 +194,7 @@ TEST_CASE("cross_triangle: through corners and sides of a closed surface, at eve
       int around = 0;
       for (const auto& f : face)
         if (const auto x =
-                irg::cross_triangle(r, times(corner[f[0]], s), times(corner[f[1]], s), times(corner[f[2]], s)))
+                irg::intersect_triangle(r, times(corner[f[0]], s), times(corner[f[1]], s), times(corner[f[2]], s)))
           around += x->side == irg::facing::back ? 1 : -1;
       if (around != (irg::is_empty(r) ? 0 : 1)) ++wrong;
     }

@@ -30,7 +30,7 @@ int trials(int few, int many) { return std::getenv("IRG_RELEASE_TIER") != nullpt
 // The triangles of a body, times s.
 template <class T>
 triangles_of<T> triangles(const irg::mesh<double>& body, double s = 1) {
-  const irg::mesh<double> m = irg::triangulate(body);
+  const irg::mesh<double> m = irg::triangulated(body);
   triangles_of<T> out;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     out.emplace_back();
@@ -104,7 +104,7 @@ TEST_CASE("triangle_bvh: what all triangles asked one by one give, of floats and
       const R ray{{c(), c(), c()}, {c(), c(), c()}, 0, i % 2 == 0 ? infinite : 0.5};
       std::vector<irg::triangle_hit> expected;
       for (std::uint32_t k = 0; k < all.size(); ++k)
-        if (const auto x = irg::cross_triangle(ray, all[k][0], all[k][1], all[k][2])) expected.push_back({k, *x});
+        if (const auto x = irg::intersect_triangle(ray, all[k][0], all[k][1], all[k][2])) expected.push_back({k, *x});
       CHECK(crossings(by_area, ray) == expected);
       CHECK(crossings(of_floats, ray) == expected);
       CHECK(crossings(by_cuts, ray) == expected);
@@ -145,7 +145,7 @@ int wrong_of_floats(int reach, float s, int rays, std::uint64_t seed) {
     const auto asked = [&] {
       std::vector<irg::triangle_hit> expected, given;
       for (std::uint32_t k = 0; k < all.size(); ++k)
-        if (const auto x = irg::cross_triangle(ray, all[k][0], all[k][1], all[k][2])) expected.push_back({k, *x});
+        if (const auto x = irg::intersect_triangle(ray, all[k][0], all[k][1], all[k][2])) expected.push_back({k, *x});
       irg::all_hits(tree, ray, [&](const irg::triangle_hit& h) { given.push_back(h); });
       std::sort(given.begin(), given.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
       const auto first = irg::closest_hit(tree, ray);
@@ -217,7 +217,7 @@ int wrong_through_slats(double s, int rays, std::uint64_t seed) {
       return P{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
     };
     for (std::uint32_t k = 0; k < all.size(); ++k)
-      if (const auto x = irg::cross_triangle(ray, point_of(all[k][0]), point_of(all[k][1]), point_of(all[k][2])))
+      if (const auto x = irg::intersect_triangle(ray, point_of(all[k][0]), point_of(all[k][1]), point_of(all[k][2])))
         expected.push_back({k, *x});
     const auto first = irg::closest_hit(tree, ray);
     wrong += crossings(tree, ray) != expected || first.has_value() == expected.empty() ||
@@ -484,7 +484,7 @@ TEST_CASE("triangle_bvh: executors, moved triangles, any_hit that passes some ov
 // What the only triangle of a tree is met by, in all three ways, and by itself.
 template <class T>
 void check_met(const std::array<irg::point<T, 3>, 3>& triangle, const irg::ray<T, 3>& ray) {
-  REQUIRE(irg::cross_triangle(ray, triangle[0], triangle[1], triangle[2]));
+  REQUIRE(irg::intersect_triangle(ray, triangle[0], triangle[1], triangle[2]));
   const auto tree = build(triangles_of<T>{triangle});
   CHECK(irg::closest_hit(tree, ray).has_value());
   CHECK(irg::any_hit(tree, ray));

@@ -219,7 +219,7 @@ TEST_CASE("studio events: cameras, and those that are none") {
   CHECK(o.eye.x == doctest::Approx(o.eye.y));
   CHECK(apply_event(s, irg::set_projection<double>{outer, irg::projection_kind::oblique, 30, 1}) == done);
   CHECK(apply_event(s, irg::set_projection<double>{outer, irg::projection_kind::perspective}) == done);
-  CHECK(o.oblique_angle == 30);  // kept
+  CHECK(o.oblique_degrees == 30);  // kept
   CHECK(apply_event(s, irg::set_pyramid<double>{outer, {1, 2, 3, 4, 5}}) == done);
   CHECK(apply_event(s, irg::show_helper{main, irg::studio_helper::camera_axes, irg::display::shown}) == done);
   CHECK(c.shows(irg::studio_helper::camera_axes));

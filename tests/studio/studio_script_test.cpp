@@ -92,7 +92,7 @@ TEST_CASE("studio script: every projection") {
   const auto oblique = [](const char* line, double angle, double factor) {
     const auto e = event_of<projection>(line);
     CHECK(e.kind == irg::projection_kind::oblique);
-    CHECK(e.oblique_angle == angle);
+    CHECK(e.oblique_degrees == angle);
     CHECK(e.oblique_factor == factor);
   };
   oblique("project outer cavalier", 45, 1);

@@ -49,7 +49,7 @@ solid_tree tetrahedron(const Next& next) {
 inline solid_tree combine_at_random(std::vector<solid_tree> parts, random& r) {
   while (parts.size() > 1) {
     const auto i = static_cast<std::size_t>(r.integer(0, static_cast<std::int64_t>(parts.size()) - 2));
-    parts[i] = irg::combine(parts[i], parts[i + 1], static_cast<irg::boolean_operation>(r.integer(0, 3)));
+    parts[i] = irg::csg_boolean(parts[i], parts[i + 1], static_cast<irg::boolean_operation>(r.integer(0, 3)));
     parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   }
   return parts[0];
@@ -79,7 +79,7 @@ bool has(const solid_tree& tree, const In& in) {
     if (step.body != irg::csg_step::none)
       is.push_back(in(step.body));
     else
-      is.push_back(step.operation == irg::boolean_operation::unite          ? a || b
+      is.push_back(step.operation == irg::boolean_operation::union_         ? a || b
                    : step.operation == irg::boolean_operation::intersection ? a && b
                    : step.operation == irg::boolean_operation::difference   ? a && !b
                                                                             : a != b);

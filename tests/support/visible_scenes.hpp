@@ -59,8 +59,8 @@ constexpr id_picture visible_ids(const triangle_scene& s, irg::face_culling cull
     return irg::solid_shader<std::uint32_t>{triangle + 1};
   };
   const irg::draw_settings<std::uint32_t> settings{culling, skip, irg::clearing::before_drawing, 0};
-  p.stats = irg::draw_triangles<Order, T>(irg::render_target{p.id, p.depth}, {vertices, s.triangles, mapping}, shader,
-                                          settings, executor);
+  p.stats = irg::shade_triangles<Order, T>(irg::render_target{p.id, p.depth}, {vertices, s.triangles, mapping}, shader,
+                                           settings, executor);
   return p;
 }
 
@@ -79,7 +79,7 @@ std::vector<snapped_triangle> snapped_triangles(const triangle_scene& s, irg::fa
     std::vector<irg::screen_vertex> on_screen;
     for (const auto& v : left) on_screen.push_back(irg::to_screen(v.position, mapping));
     const auto area_of = [&](std::size_t k) {
-      return irg::signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
+      return irg::twice_signed_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
     };
     std::int64_t area = 0;
     for (std::size_t k = 1; k + 1 < on_screen.size(); ++k) area += area_of(k);

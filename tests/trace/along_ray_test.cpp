@@ -43,8 +43,8 @@ TEST_CASE("is_visible: past sheets, from and to them, along them") {
   const auto tree = tree_of(all);
   const auto see = [&](const P& p, const P& q) {
     const auto corners = [&](std::uint32_t i) { return all[i]; };
-    CHECK(irg::is_visible(tree, corners, p, q) == irg::is_visible(tree, corners, q, p));
-    return irg::is_visible(tree, corners, p, q);
+    CHECK(irg::has_line_of_sight(tree, corners, p, q) == irg::has_line_of_sight(tree, corners, q, p));
+    return irg::has_line_of_sight(tree, corners, p, q);
   };
   CHECK(see({0, 0, 0}, {1, 1, 0.5}));
   CHECK(!see({0, 0, 0}, {1, 1, 1.5}));

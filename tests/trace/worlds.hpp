@@ -18,7 +18,7 @@ struct kept_body {
   std::vector<irg::triangle_indices> triangles{};
 
   constexpr kept_body(const irg::mesh<double>& m, const irg::vec<double, 3>& move, double size = 1) {
-    const irg::mesh<double> t = irg::triangulate(m);
+    const irg::mesh<double> t = irg::triangulated(m);
     for (const auto& p : t.positions)
       positions.push_back(irg::point<double, 3>{p.x * size, p.y * size, p.z * size} + move);
     for (std::size_t f = 0; f < t.face_count(); ++f)

@@ -25,8 +25,8 @@ using irg::rotation_x;
 using irg::rotation_y;
 using irg::rotation_z;
 using irg::scaling;
-using irg::transform_mesh;
 using irg::transform_normal;
+using irg::transformed;
 using irg::translation;
 using irg::vec;
 using test::rational;
@@ -249,7 +249,7 @@ TEST_CASE("affine: meshes") {
   for (int i = 0; i < 200; ++i) {
     const V factors = random_vector(r);
     const D m = translation(random_vector(r)) * random_rotation(r) * scaling(factors);
-    const mesh<double> image = transform_mesh(body, m);
+    const mesh<double> image = transformed(body, m);
     // Fronts stay counter-clockwise from outside, mirrored or not, and normals agree with the faces.
     CHECK(six_volumes(image) == doctest::Approx(std::abs(factors.x * factors.y * factors.z)).epsilon(1e-9));
     for (std::size_t f = 0; f < image.face_count(); ++f) {
@@ -263,12 +263,12 @@ TEST_CASE("affine: meshes") {
   mesh<float> pentagon;
   pentagon.positions = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}};
   add_face(pentagon, std::array{0, 1, 2, 3, 4});
-  const auto mirrored = transform_mesh(pentagon, scaling(vec<float, 3>{-1, 1, 1}));
+  const auto mirrored = transformed(pentagon, scaling(vec<float, 3>{-1, 1, 1}));
   for (std::size_t k = 0; k < 5; ++k) CHECK(mirrored.corner(0, k).position == (5 - k) % 5);
   CHECK(mirrored.positions[2] == point<float, 3>{-2, 1, 0});
-  CHECK(transform_mesh(transform_mesh(pentagon, scaling(vec<float, 3>{-1, 1, 1})), scaling(vec<float, 3>{-1, 1, 1})) ==
+  CHECK(transformed(transformed(pentagon, scaling(vec<float, 3>{-1, 1, 1})), scaling(vec<float, 3>{-1, 1, 1})) ==
         pentagon);
-  CHECK(transform_mesh(mesh<float>{}, identity<float, 4>()) == mesh<float>{});
+  CHECK(transformed(mesh<float>{}, identity<float, 4>()) == mesh<float>{});
 }
 
 TEST_CASE("affine: degenerate and hostile") {
@@ -314,7 +314,7 @@ TEST_CASE("affine: degenerate and hostile") {
   mesh<double> body;
   body.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   body.normals = {{0, 0, 1e300}, {0, 0, 1e-300}};
-  for (const V& n : transform_mesh(body, scaling(1e70)).normals) CHECK(n == V{0, 0, 1});
+  for (const V& n : transformed(body, scaling(1e70)).normals) CHECK(n == V{0, 0, 1});
   CHECK(orientation_of(scaling(-1e-30f)) == map_orientation::reversing);
   CHECK(orientation_of(scaling(1e30f)) == map_orientation::preserving);
 }

@@ -122,7 +122,7 @@ TEST_CASE("camera_frame: orthonormal repair of drifted frames") {
     for (V* axis : {&f.right, &f.up, &f.forward})
       *axis = (*axis + random_vector(r) * drift) * std::ldexp(1.0, static_cast<int>(r.integer(-600, 600)));
     const auto fixed = orthonormalized_checked(f);
-    CHECK(fixed.status == camera_frame_status::ordinary);
+    CHECK(fixed.status == camera_frame_status::ok);
     CHECK(fixed.value.position == f.position);
     worst = std::max(worst, from_orthonormal(fixed.value));
     for (int k = 0; k < 3; ++k) {
@@ -145,7 +145,7 @@ TEST_CASE("camera_frame: orthonormal repair of drifted frames") {
   // A clean frame stays what it is, a mirrored one is righted.
   constexpr frame clean{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {-1, 0, 0}};
   CHECK_BOTH(orthonormalized_checked(clean) ==
-             irg::checked<irg::camera_frame<double>, camera_frame_status>{clean, camera_frame_status::ordinary});
+             irg::checked<irg::camera_frame<double>, camera_frame_status>{clean, camera_frame_status::ok});
   CHECK_BOTH(orthonormalized(frame{{1, 2, 3}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}) == clean);
   // Unlike the axes of a mean of all three, forward is kept and up only loses what lies along it.
   CHECK_BOTH(orthonormalized(frame{{1, 2, 3}, {7, 7, 7}, {-5, 2, 0}, {-3, 0, 0}}) == clean);
@@ -153,7 +153,7 @@ TEST_CASE("camera_frame: orthonormal repair of drifted frames") {
 
 TEST_CASE("camera_frame: repair of frames with an axis missing") {
   using result = irg::checked<irg::camera_frame<double>, camera_frame_status>;
-  constexpr auto ordinary = camera_frame_status::ordinary, up = camera_frame_status::up_replaced,
+  constexpr auto ordinary = camera_frame_status::ok, up = camera_frame_status::up_replaced,
                  forward = camera_frame_status::forward_replaced;
   constexpr V zero{}, nans{not_a_number, 0, 1}, infinite{inf, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const auto repaired = [](const V& r, const V& u, const V& f) { return orthonormalized_checked(frame{{}, r, u, f}); };

@@ -171,8 +171,8 @@ TEST_CASE("frustum: boxes in rationals are exactly what their corners say, plane
     for (auto& row : m.m)
       for (R& entry : row) entry = R(r.integer(-4, 4));
     const auto n = [&] { return R{r.integer(-6, 6), 2}; };
-    const box<R, 3> b = enclosing_box(box<R, 3>{}, point<R, 3>{n(), n(), n()});
-    const box<R, 3> around = enclosing_box(b, point<R, 3>{n(), n(), n()});
+    const box<R, 3> b = bounding_box(box<R, 3>{}, point<R, 3>{n(), n(), n()});
+    const box<R, 3> around = bounding_box(b, point<R, 3>{n(), n(), n()});
     const containment side = side_of(frustum_of(m), around);
     ++count[static_cast<int>(side)];
     CHECK(side == by_corners(m, around));

@@ -48,7 +48,7 @@ TEST_CASE("look_at: by hand, in every life") {
   CHECK_BOTH(transform_point(from_x, P{0, 2, 0}) == P{0, 2, -5});
   CHECK_BOTH(transform_point(from_x, P{5, 0, 0}) == P{0, 0, 0});
   CHECK_BOTH(look_at_checked(P{5, 0, 0}, P{0, 0, 0}, V{0, 1, 0}) ==
-             irg::checked<mat<double, 4, 4>, look_at_status>{from_x, look_at_status::ordinary});
+             irg::checked<mat<double, 4, 4>, look_at_status>{from_x, look_at_status::ok});
 
   constexpr M general = look_at(P{1, 2, 3}, P{-4, 0.5, 2}, V{0.1, 1, 0.2});
   constexpr auto straight_down = look_at_checked(P{0, 5, 0}, P{0, 0, 0}, V{0, 1, 0});
@@ -112,7 +112,7 @@ TEST_CASE("look_at: orthonormal, right-handed, eye to the origin, target ahead, 
     CHECK(std::abs(at_target.x) <= 4e-15 * (1 + far));
     CHECK(std::abs(at_target.y) <= 4e-15 * (1 + far));
     CHECK(std::abs(at_target.z + far) <= 4e-15 * (1 + far));
-    if (v.status == look_at_status::ordinary) {
+    if (v.status == look_at_status::ok) {
       const V up_seen = transform_vector(v.value, up);
       CHECK(up_seen.y > 0);
       CHECK(std::abs(up_seen.x) <= 2e-15);
@@ -149,7 +149,7 @@ TEST_CASE("look_at: up parallel to the view, zero, or nearly so") {
     CHECK(v == look_at_checked(P{0, 0, 0} + d, P{0, 0, 0}, V{0, 0, 0}));
   }
   // A hair beside the view is enough to be an ordinary camera.
-  CHECK_BOTH(look_at_checked(P{0, 0, 5}, P{0, 0, 0}, V{0, 1e-9, 1}).status == look_at_status::ordinary);
+  CHECK_BOTH(look_at_checked(P{0, 0, 5}, P{0, 0, 0}, V{0, 1e-9, 1}).status == look_at_status::ok);
   CHECK_BOTH(look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 1e-9, 1}) == look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 1, 0}));
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("look_at: hostile numbers give a finite matrix") {
         CHECK((look_at_checked(P{1, 2, 3}, P{3, 2, 1}, V{a, b, c}).status == look_at_status::not_finite) == any_bad);
       }
   // Next to each other by one denormal: still a direction.
-  CHECK(look_at_checked(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}).status == look_at_status::ordinary);
+  CHECK(look_at_checked(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}).status == look_at_status::ok);
   CHECK(look_at(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}) ==
         M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -least}, {0, 0, 0, 1}}});
 }

@@ -85,7 +85,7 @@ TEST_CASE("oblique: what is refused") {
   const auto status = [](oblique_depth<double> how, view_window<double> w, double n, double f, double z) {
     how.plane_z = z;
     const auto p = oblique_checked(how, w, n, f);
-    CHECK((p.status == ordinary || p.value == irg::identity<double, 4>()));
+    CHECK((p.status == ok || p.value == irg::identity<double, 4>()));
     return p.status;
   };
   for (const double bad : {not_a_number, inf, -inf}) {
@@ -103,7 +103,7 @@ TEST_CASE("oblique: what is refused") {
   CHECK(status({0, 1}, {-4, 4, 3, 3}, 1, 5, 0) == bad_window);
   CHECK(status({0, 1e200}, window, 1, 5, 1e200) == not_representable);
   CHECK(status({0, 1e200}, {-1e-200, 1e-200, -3, 3}, 1, 5, 0) == not_representable);
-  CHECK(status({0, 1e200}, window, 1, 5, 0) == ordinary);
+  CHECK(status({0, 1e200}, window, 1, 5, 0) == ok);
   static_assert(oblique_checked(oblique_depth<double>{not_a_number, 1.0}, window, 1, 5).status == bad_angle);
   static_assert(oblique_checked(oblique_depth<double>{0.0, 1e200, 1e200}, window, 1, 5).status == not_representable);
 }

@@ -107,7 +107,7 @@ TEST_CASE("view_pyramid: what is refused") {
   using enum projection_status;
   constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   const auto status = [](view_pyramid<double> p) { return perspective_checked(p).status; };
-  static_assert(perspective_checked(course_double).status == ordinary);
+  static_assert(perspective_checked(course_double).status == ok);
   static_assert(perspective_checked(view_pyramid<double>{2, 0, 6, 1, 10}).status == bad_window);
   CHECK(status({2, -8, 6, 1, 10}) == bad_window);
   CHECK(status({2, 8, nan, 1, 10}) == bad_window);
@@ -121,12 +121,12 @@ TEST_CASE("view_pyramid: what is refused") {
   CHECK(status({2, 8, 6, 11, 10}) == bad_depth);
   CHECK(status({2, 8, 6, nan, 10}) == bad_depth);
   CHECK(status({2, 8, 6, 1, nan}) == bad_depth);
-  CHECK(status({2, 8, 6, 1, inf}) == ordinary);
+  CHECK(status({2, 8, 6, 1, inf}) == ok);
   CHECK(status({1e300, 1e-300, 6, 1, 10}) == not_representable);
-  CHECK(status({2, 8, 6, 1e-3, 1e9}) == ordinary);
+  CHECK(status({2, 8, 6, 1e-3, 1e9}) == ok);
 }
 
 TEST_CASE("view_pyramid: the default is in its domain") {
   CHECK_BOTH(view_pyramid<double>{} == view_pyramid<double>{1, 2, 2, 1, 2});
-  CHECK_BOTH(perspective_checked(view_pyramid<double>{}).status == projection_status::ordinary);
+  CHECK_BOTH(perspective_checked(view_pyramid<double>{}).status == projection_status::ok);
 }

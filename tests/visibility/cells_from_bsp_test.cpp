@@ -92,7 +92,7 @@ TEST_CASE("cells_from_bsp: plans without defects that make up the window, and wh
     for (int k = 0; k < 40; ++k) {
       const place p{16 * r.unit() - 8, 16 * r.unit() - 8}, q{16 * r.unit() - 8, 16 * r.unit() - 8};
       const auto from = cell_at(made.plan, p), to = cell_at(made.plan, q);
-      if (!from || !to || !irg::see(p, q, walls)) continue;
+      if (!from || !to || !irg::has_line_of_sight(p, q, walls)) continue;
       ++seen;
       missing += !sets.seen.is_full({static_cast<int>(*to), static_cast<int>(*from), 0});
     }

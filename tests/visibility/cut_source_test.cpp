@@ -33,7 +33,7 @@ TEST_CASE("cut_source_rounded: a lamp with a wall through it is seen by half") {
   CHECK(refused.status == irg::visibility_status::source_crosses_obstacle);
   const auto cut = irg::cut_source_rounded<double>(lamp, walls);
   const auto parts = irg::weak_visibility(std::span<const place>(cut.ring), cut.obstacles, window);
-  CHECK(parts.status == irg::visibility_status::done);
+  CHECK(parts.status == irg::visibility_status::ok);
   CHECK(parts.none.empty());
   const auto area = [](const std::vector<std::vector<place>>& rings) {
     double sum = 0;
@@ -65,7 +65,7 @@ TEST_CASE("cut_segment_rounded: a segment with a wall through it is seen by half
   const auto cut = irg::cut_segment_rounded(lamp, walls);
   CHECK(cut.pieces.size() == 2);
   const auto parts = irg::weak_visibility(std::span<const std::vector<place>>(cut.pieces), cut.obstacles, window);
-  CHECK(parts.status == irg::visibility_status::done);
+  CHECK(parts.status == irg::visibility_status::ok);
   const auto holds = [](const std::vector<std::vector<place>>& rings, const place& p) {
     return irg::point_in_polygon(rings, p, irg::fill_rule::even_odd) == irg::location::inside;
   };
@@ -102,7 +102,7 @@ TEST_CASE("cut_source_rounded: nothing crosses any more, on grids and off them")
       continue;
     }
     const auto status = irg::weak_visibility(std::span<const place>(cut.ring), cut.obstacles, window).status;
-    wrong += status != irg::visibility_status::done && irg::is_convex(cut.ring);
+    wrong += status != irg::visibility_status::ok && irg::is_convex(cut.ring);
   }
   CHECK(wrong == 0);
   CHECK(cut_ones > 100);

@@ -44,7 +44,7 @@ cell_grid one_by_one(const G& g, const cell3& viewer, const irg::view_options& o
     for (int y = 0; y < e.height; ++y)
       for (int x = 0; x < e.width; ++x) {
         const std::int64_t dx = x - viewer.x, dy = y - viewer.y, dz = z - viewer.z, r = o.radius;
-        if (r >= 0 && dx * dx + dy * dy + dz * dz <= r * r && irg::see(g, viewer, {x, y, z}, o.rules))
+        if (r >= 0 && dx * dx + dy * dy + dz * dz <= r * r && irg::has_line_of_sight(g, viewer, {x, y, z}, o.rules))
           seen.set({x, y, z});
       }
   return seen;

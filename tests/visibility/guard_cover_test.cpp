@@ -35,7 +35,7 @@ constexpr plan comb(int teeth) {
 
 constexpr bool one_room() {
   const auto c = guarded({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}});
-  return c.status == guard_status::done && c.guards.size() == 1 && c.at_least == 1 && c.parts.size() == 1;
+  return c.status == guard_status::ok && c.guards.size() == 1 && c.at_least == 1 && c.parts.size() == 1;
 }
 constexpr bool degenerate() {
   return guarded({}).guards.empty() && guarded({{}, {{1, 1}}, {{2, 2}, {2, 2}}}).guards.empty() &&
@@ -75,7 +75,7 @@ TEST_CASE("cover_by_guards: rings that touch, whichever way they run; a room in 
     if (flip == 1)
       for (auto& r : p) std::reverse(r.begin(), r.end());
     const auto c = guarded(p);
-    CHECK(c.status == guard_status::done);
+    CHECK(c.status == guard_status::ok);
     CHECK(c.guards.size() >= c.at_least);
     CHECK(c.at_least >= 2);
     double area = 0;
@@ -95,14 +95,14 @@ TEST_CASE("cover_by_guards: rings may touch in a corner, but not cross there") {
       return guarded({ring}).status;
     };
     CHECK(status_of(through_wall) == guard_status::rings_cross);
-    CHECK(status_of(beside_wall) == guard_status::done);
+    CHECK(status_of(beside_wall) == guard_status::ok);
     CHECK(status_of(through_corner) == guard_status::rings_cross);
-    CHECK(status_of(beside_corner) == guard_status::done);
+    CHECK(status_of(beside_corner) == guard_status::ok);
   }
   // Two rings through each other in two corners of one, on walls of the other.
   CHECK(guarded({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 1}, {6, 2}, {4, 3}, {2, 2}}}).status ==
         guard_status::rings_cross);
-  CHECK(guarded({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 1}, {6, 2}, {4, 3}, {5, 2}}}).status == guard_status::done);
+  CHECK(guarded({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 1}, {6, 2}, {4, 3}, {5, 2}}}).status == guard_status::ok);
 }
 
 // What lies behind a wall that a hole touches is not in the plan, though it sees the hole's corner.
@@ -185,7 +185,7 @@ TEST_CASE("cover_by_guards: every place is seen by a guard, and each part by its
   for (int i = 0; i < 12 * times; ++i) {
     const plan p = random_plan(r, 5 + i % 6);
     const auto c = guarded(p);
-    REQUIRE(c.status == guard_status::done);
+    REQUIRE(c.status == guard_status::ok);
     std::vector<place> corners;
     std::vector<irg::segment<double, 2>> walls;
     for (const auto& ring : p)
@@ -197,11 +197,11 @@ TEST_CASE("cover_by_guards: every place is seen by a guard, and each part by its
       const double x = 10 * r.unit() - 5, y = 10 * r.unit() - 5;
       if (irg::point_in_polygon(p, place{x, y}, irg::fill_rule::even_odd) != irg::location::inside) continue;
       bool seen = false;
-      for (const std::size_t g : c.guards) seen = seen || irg::see(place{x, y}, corners[g], walls);
+      for (const std::size_t g : c.guards) seen = seen || irg::has_line_of_sight(place{x, y}, corners[g], walls);
       unseen += !seen;
       for (const auto& part : c.parts)
         if (irg::point_in_polygon(part.ring, place{x, y}) == irg::location::inside)
-          wrong += !irg::see(place{x, y}, corners[part.guard], walls);
+          wrong += !irg::has_line_of_sight(place{x, y}, corners[part.guard], walls);
     }
     double area = 0, whole = std::fabs(twice_area_of(p[0]));
     for (const auto& part : c.parts) area += twice_area_of(part.ring);

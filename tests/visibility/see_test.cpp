@@ -29,29 +29,31 @@ struct vast {
 static_assert(irg::CellGrid<vast> && !irg::WalledCellGrid<vast>);
 
 constexpr irg::cell_grid pinched() { return grid_of(3, 3, 0b000'101'010); }  // (1,0), (0,1), (2,1)
-static_assert(!irg::see(pinched(), cell{0, 0}, cell{1, 1}));
-static_assert(irg::see(pinched(), cell{0, 0}, cell{1, 1}, {corner_rule::open}));
-static_assert(irg::see(pinched(), cell{0, 0}, cell{1, 0}));  // a full cell can be seen
-static_assert(!irg::see(pinched(), cell{0, 0}, cell{1, 0}, {.ends = irg::end_cells::tested}));
-static_assert(!irg::see(pinched(), cell{0, 0}, cell{2, 0}) && irg::see(pinched(), cell{0, 0}, cell{0, 0}));
-static_assert(!irg::see(pinched(), cell{-1, 0}, cell{0, 0}) && !irg::see(pinched(), cell{0, 0}, cell{3, 0}));
-static_assert(!irg::see(irg::cell_grid(), cell{0, 0}, cell{0, 0}));
-static_assert(!irg::see(vast{}, cell{0, 0}, cell{vast::most - 1, 0}));
-static_assert(irg::see(vast{}, cell3{vast::most - 1, 5, 7}, cell3{vast::most - 9, 0, 3}));
+static_assert(!irg::has_line_of_sight(pinched(), cell{0, 0}, cell{1, 1}));
+static_assert(irg::has_line_of_sight(pinched(), cell{0, 0}, cell{1, 1}, {corner_rule::open}));
+static_assert(irg::has_line_of_sight(pinched(), cell{0, 0}, cell{1, 0}));  // a full cell can be seen
+static_assert(!irg::has_line_of_sight(pinched(), cell{0, 0}, cell{1, 0}, {.ends = irg::end_cells::tested}));
+static_assert(!irg::has_line_of_sight(pinched(), cell{0, 0}, cell{2, 0}) &&
+              irg::has_line_of_sight(pinched(), cell{0, 0}, cell{0, 0}));
+static_assert(!irg::has_line_of_sight(pinched(), cell{-1, 0}, cell{0, 0}) &&
+              !irg::has_line_of_sight(pinched(), cell{0, 0}, cell{3, 0}));
+static_assert(!irg::has_line_of_sight(irg::cell_grid(), cell{0, 0}, cell{0, 0}));
+static_assert(!irg::has_line_of_sight(vast{}, cell{0, 0}, cell{vast::most - 1, 0}));
+static_assert(irg::has_line_of_sight(vast{}, cell3{vast::most - 1, 5, 7}, cell3{vast::most - 9, 0, 3}));
 
 TEST_CASE("see: one full cell beside a corner, by rule") {
   const irg::cell_grid one = grid_of(2, 2, 0b0010);
-  CHECK(irg::see(one, cell{0, 0}, cell{1, 1}));
-  CHECK(irg::see(one, cell{0, 0}, cell{1, 1}, {corner_rule::open}));
-  CHECK(!irg::see(one, cell{0, 0}, cell{1, 1}, {corner_rule::closed}));
+  CHECK(irg::has_line_of_sight(one, cell{0, 0}, cell{1, 1}));
+  CHECK(irg::has_line_of_sight(one, cell{0, 0}, cell{1, 1}, {corner_rule::open}));
+  CHECK(!irg::has_line_of_sight(one, cell{0, 0}, cell{1, 1}, {corner_rule::closed}));
 }
 
 TEST_CASE("see: what the source's figures show") {
   irg::cell_grid g(irg::grid_extent{9, 5, 1});
-  CHECK(irg::see(g, cell{0, 0}, cell{8, 4}));
+  CHECK(irg::has_line_of_sight(g, cell{0, 0}, cell{8, 4}));
   g.set(cell{5, 3});  // crossed by its corner's neighbourhood only
-  CHECK(!irg::see(g, cell{0, 0}, cell{8, 4}));
-  CHECK(!irg::see(g, cell{8, 4}, cell{0, 0}));
+  CHECK(!irg::has_line_of_sight(g, cell{0, 0}, cell{8, 4}));
+  CHECK(!irg::has_line_of_sight(g, cell{8, 4}, cell{0, 0}));
 }
 
 TEST_CASE("see: walls block between their two cells, by kind") {
@@ -61,8 +63,8 @@ TEST_CASE("see: walls block between their two cells, by kind") {
       g.set_wall({0, 0, 0}, axis, static_cast<irg::wall_kind>(kind));
       const cell3 next{axis == 0, axis == 1, axis == 2};
       const bool blocks = kind == 1 || kind == 4;
-      CHECK(irg::see(g, {0, 0, 0}, next) == !blocks);
-      CHECK(irg::see(g, next, {0, 0, 0}) == !blocks);
+      CHECK(irg::has_line_of_sight(g, {0, 0, 0}, next) == !blocks);
+      CHECK(irg::has_line_of_sight(g, next, {0, 0, 0}) == !blocks);
     }
   }
 }
@@ -79,9 +81,9 @@ TEST_CASE("see: the table of a diagonal step") {
     if (on(4)) g.set_wall({0, 0, 0}, 1, irg::wall_kind::wall);
     if (on(5)) g.set_wall({0, 1, 0}, 0, irg::wall_kind::wall);
     const bool right = on(0) || on(2) || on(3), left = on(1) || on(4) || on(5);
-    CHECK(irg::see(g, {0, 0, 0}, {1, 1, 0}) == !(left && right));
-    CHECK(irg::see(g, {0, 0, 0}, {1, 1, 0}, {corner_rule::closed}) == (m == 0));
-    CHECK(irg::see(g, {0, 0, 0}, {1, 1, 0}, {corner_rule::open}));
+    CHECK(irg::has_line_of_sight(g, {0, 0, 0}, {1, 1, 0}) == !(left && right));
+    CHECK(irg::has_line_of_sight(g, {0, 0, 0}, {1, 1, 0}, {corner_rule::closed}) == (m == 0));
+    CHECK(irg::has_line_of_sight(g, {0, 0, 0}, {1, 1, 0}, {corner_rule::open}));
   }
 }
 
@@ -97,8 +99,9 @@ void agree_with_oracle(const G& g, test::random& r, int pairs) {
     const cell3 a = any(), b = any();
     for (const corner_rule corners : {corner_rule::pinch, corner_rule::open, corner_rule::closed})
       for (const auto ends : {irg::end_cells::untested, irg::end_cells::tested}) {
-        const bool seen = irg::see(g, a, b, {corners, ends});
-        if (seen != irg::see(g, b, a, {corners, ends}) || seen != test::sees(g, a, b, {corners, ends})) ++wrong;
+        const bool seen = irg::has_line_of_sight(g, a, b, {corners, ends});
+        if (seen != irg::has_line_of_sight(g, b, a, {corners, ends}) || seen != test::sees(g, a, b, {corners, ends}))
+          ++wrong;
       }
   }
   CHECK(wrong == 0);
@@ -112,8 +115,8 @@ TEST_CASE("see: all pairs of all 4 x 4 maps both ways; the oracle on some of the
     const irg::cell_grid g = grid_of(4, 4, bits);
     for (int i = 0; i < 16; ++i)
       for (int j = i + 1; j < 16; ++j)
-        wrong +=
-            irg::see(g, cell{i % 4, i / 4}, cell{j % 4, j / 4}) != irg::see(g, cell{j % 4, j / 4}, cell{i % 4, i / 4});
+        wrong += irg::has_line_of_sight(g, cell{i % 4, i / 4}, cell{j % 4, j / 4}) !=
+                 irg::has_line_of_sight(g, cell{j % 4, j / 4}, cell{i % 4, i / 4});
     if (all || bits % 97 == 0) agree_with_oracle(g, r, 8);
   }
   CHECK(wrong == 0);
@@ -140,7 +143,8 @@ TEST_CASE("see: both ways on all maps of 2 x 2 x 3 cells, and on 64 x 64 and 16 
     for (int i = 0; i < 12; ++i)
       if ((bits >> i & 1) != 0) g.set(at(i));
     for (int i = 0; i < 12; ++i)
-      for (int j = i + 1; j < 12; ++j) wrong += irg::see(g, at(i), at(j)) != irg::see(g, at(j), at(i));
+      for (int j = i + 1; j < 12; ++j)
+        wrong += irg::has_line_of_sight(g, at(i), at(j)) != irg::has_line_of_sight(g, at(j), at(i));
   }
   CHECK(wrong == 0);
   const bool release = std::getenv("IRG_RELEASE_TIER") != nullptr;

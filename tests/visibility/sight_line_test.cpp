@@ -28,13 +28,16 @@ TEST_CASE("see and first_obstacle: ordinary, degenerate and hostile input") {
   CHECK_BOTH(irg::first_obstacle(place{1, 0}, place{2, 0}, cross, obstacle_ends::closed, sight_reach::onwards) == 0u);
   CHECK_BOTH(irg::first_obstacle(place{6, 1}, place{7, 1}, cross, obstacle_ends::closed, sight_reach::onwards) ==
              std::nullopt);
-  CHECK_BOTH((irg::see(place{0, 0}, place{1, 0}, cross) && !irg::see(place{0, 0}, place{2, 0}, cross)));
-  CHECK_BOTH((irg::see(place{2, 0}, place{2, 0}, cross) && irg::see(place{0, 0}, place{1, 1}, {})));
-  CHECK_BOTH(
-      (!irg::see(place{0, 2}, place{2, 0}, cross) && irg::see(place{0, 2}, place{2, 0}, cross, obstacle_ends::open)));
-  CHECK_BOTH(
-      (!irg::see(place{0, 0}, place{2, 0}, dot) && irg::see(place{0, 0}, place{2, 0}, dot, obstacle_ends::open)));
-  CHECK_BOTH((!irg::see(place{-most, 0}, place{most, 0}, thin) && !irg::see(place{-least, 0}, place{least, 0}, thin)));
+  CHECK_BOTH((irg::has_line_of_sight(place{0, 0}, place{1, 0}, cross) &&
+              !irg::has_line_of_sight(place{0, 0}, place{2, 0}, cross)));
+  CHECK_BOTH((irg::has_line_of_sight(place{2, 0}, place{2, 0}, cross) &&
+              irg::has_line_of_sight(place{0, 0}, place{1, 1}, {})));
+  CHECK_BOTH((!irg::has_line_of_sight(place{0, 2}, place{2, 0}, cross) &&
+              irg::has_line_of_sight(place{0, 2}, place{2, 0}, cross, obstacle_ends::open)));
+  CHECK_BOTH((!irg::has_line_of_sight(place{0, 0}, place{2, 0}, dot) &&
+              irg::has_line_of_sight(place{0, 0}, place{2, 0}, dot, obstacle_ends::open)));
+  CHECK_BOTH((!irg::has_line_of_sight(place{-most, 0}, place{most, 0}, thin) &&
+              !irg::has_line_of_sight(place{-least, 0}, place{least, 0}, thin)));
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -89,7 +92,8 @@ TEST_CASE("see and first_obstacle: as in rationals, both ways") {
         }
         wrong += irg::first_obstacle(p, q, walls, ends, reach) != want;
         if (!onwards)
-          wrong += irg::see(p, q, walls, ends) == want.has_value() || irg::see(q, p, walls, ends) == want.has_value();
+          wrong += irg::has_line_of_sight(p, q, walls, ends) == want.has_value() ||
+                   irg::has_line_of_sight(q, p, walls, ends) == want.has_value();
       }
   }
   CHECK(wrong == 0);

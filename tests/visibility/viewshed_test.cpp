@@ -43,7 +43,7 @@ bool passes(const irg::image<int>& h, cell a, cell b, const irg::sight_heights& 
 static_assert([] {
   irg::image<int> h(3, 1, 0);
   h(1, 0) = 2;
-  return !irg::see_over(h, {0, 0}, {2, 0}, {1, 1}) && irg::see_over(h, {0, 0}, {2, 0}, {2, 2}) &&
+  return !irg::has_line_of_sight(h, {0, 0}, {2, 0}, {1, 1}) && irg::has_line_of_sight(h, {0, 0}, {2, 0}, {2, 2}) &&
          irg::viewshed(h, {0, 0}).count() == 2 && irg::viewshed(h, {3, 0}).count() == 0;
 }());
 
@@ -60,7 +60,7 @@ TEST_CASE("viewshed: against prisms clipped one by one") {
     for (int y = 0; y < h.height(); ++y)
       for (int x = 0; x < h.width(); ++x) {
         wrong += seen.is_full({x, y, 0}) != passes(h, eye, {x, y}, above);
-        wrong += irg::see_over(h, eye, {x, y}, {1, 1}) != irg::see_over(h, {x, y}, eye, {1, 1});
+        wrong += irg::has_line_of_sight(h, eye, {x, y}, {1, 1}) != irg::has_line_of_sight(h, {x, y}, eye, {1, 1});
       }
     CHECK(wrong == 0);
   }
@@ -109,9 +109,9 @@ TEST_CASE("viewshed: heights at the ends of 32 bits") {
   constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
   irg::image<int> h(5, 1, least);
   h(4, 0) = most;
-  CHECK(irg::see_over(h, {0, 0}, {4, 0}, {most, most}));
+  CHECK(irg::has_line_of_sight(h, {0, 0}, {4, 0}, {most, most}));
   h(1, 0) = most;
-  CHECK(!irg::see_over(h, {0, 0}, {4, 0}, {0, most}));
+  CHECK(!irg::has_line_of_sight(h, {0, 0}, {4, 0}, {0, most}));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ constexpr bool shadow_of_one_wall() {
   const vertex want[] = {{{1, 1}, sight_stop::nothing, 0},   {{4, 4}, sight_stop::boundary, 2},
                          {{-4, 4}, sight_stop::boundary, 3}, {{-4, -4}, sight_stop::boundary, 0},
                          {{4, -4}, sight_stop::nothing, 0},  {{1, -1}, sight_stop::obstacle, 0}};
-  return seen.status == visibility_status::done && std::equal(seen.ring.begin(), seen.ring.end(), want, want + 6);
+  return seen.status == visibility_status::ok && std::equal(seen.ring.begin(), seen.ring.end(), want, want + 6);
 }
 // Two walls that touch: closed they hide the corner behind, open they let a needle through.
 constexpr std::size_t vertices_past_a_joint(obstacle_ends ends) {
@@ -41,7 +41,7 @@ constexpr bool hostile() {
   constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
   const wall walls[] = {{{least, most}, {least, -most}}, {{-1, 1}, {-1, 1}}};
   const auto seen = irg::visibility_polygon(place{0, 0}, window{{-most, -most}, {most, most}}, walls);
-  return seen.status == visibility_status::done && seen.ring.size() == 4 && seen.ring[0].at == place{least, most};
+  return seen.status == visibility_status::ok && seen.ring.size() == 4 && seen.ring[0].at == place{least, most};
 }
 constexpr bool nothing_there() {
   const auto nan = irg::visibility_polygon(place{std::numeric_limits<double>::quiet_NaN(), 0}, room);
@@ -132,7 +132,7 @@ TEST_CASE("visibility_polygon: a source on the boundary, on an obstacle, on a co
   const wall dots[] = {{{0, 0}, {0, 0}}};
   CHECK(irg::visibility_polygon(place{0, 0}, room, dots).status == visibility_status::source_on_obstacle);
   CHECK(irg::visibility_polygon(place{0, 0}, room, dots, {.ends = obstacle_ends::open}).status ==
-        visibility_status::done);
+        visibility_status::ok);
 }
 
 TEST_CASE("visibility_polygon: corners of the domain end needles, whichever side they come from") {

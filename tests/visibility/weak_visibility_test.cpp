@@ -28,7 +28,7 @@ constexpr bool shadow_of_one_wall() {
   const wall walls[] = {{{-1, 0}, {1, 0}}};
   const auto r = irg::weak_visibility(wall{{-2, 2}, {2, 2}}, walls, plan);
   const place umbra[] = {{0, -2}, {1, 0}, {-1, 0}};
-  return r.status == visibility_status::done && r.all.size() == 1 && r.some.size() == 1 && r.none.size() == 1 &&
+  return r.status == visibility_status::ok && r.all.size() == 1 && r.some.size() == 1 && r.none.size() == 1 &&
          r.none[0].size() == 3 && std::equal(umbra, umbra + 3, r.none[0].begin()) && r.all[0].size() == 6;
 }
 bool lamp_with_a_corner_inwards() {
@@ -40,7 +40,7 @@ bool lamp_with_a_corner_inwards() {
   const auto sight = [&](std::span<const place> region) {
     return irg::sight_between<double>(lamp, region, walls).value;
   };
-  return r.status == visibility_status::done && r.none.size() == 1 && r.none[0].size() == 3 &&
+  return r.status == visibility_status::ok && r.none.size() == 1 && r.none[0].size() == 3 &&
          std::equal(umbra, umbra + 3, r.none[0].begin()) && sight(below) == irg::seen_share::some &&
          sight(beside) == irg::seen_share::all && sight(umbra) == irg::seen_share::none;
 }
@@ -81,7 +81,7 @@ TEST_CASE("weak_visibility: a square source, seen through a gap") {
   const std::vector<place> lamp{{-1, 3}, {1, 3}, {1, 4}, {-1, 4}};
   const std::vector<wall> walls{{{-5, 0}, {-0.5, 0}}, {{0.5, 0}, {5, 0}}};
   const auto r = irg::weak_visibility(std::span<const place>(lamp), walls, plan);
-  CHECK(r.status == visibility_status::done);
+  CHECK(r.status == visibility_status::ok);
   CHECK(r.some.size() == 1);
   CHECK(r.none.size() == 2);
   const std::vector<place> backwards(lamp.rbegin(), lamp.rend());
@@ -183,7 +183,7 @@ TEST_CASE("weak_visibility: skipping sight lines changes nothing, and the parts 
     wrong += in_order(few.all) != in_order(all.all) || in_order(few.some) != in_order(all.some) ||
              in_order(few.none) != in_order(all.none) || all.skipped != 0;
     skipped += few.skipped;
-    if (few.status == visibility_status::done)
+    if (few.status == visibility_status::ok)
       wrong += std::fabs(area_of(few.all) + area_of(few.some) + area_of(few.none) - 100) > 1e-9;
   }
   CHECK(wrong == 0);
@@ -288,7 +288,7 @@ int wrong_parts(const Parts& got, const scene& s, const place& p) {
 
 int wrong_places(const scene& s, test::random& r, int samples) {
   const auto got = parts_of(s);
-  if (got.status != visibility_status::done) return 0;
+  if (got.status != visibility_status::ok) return 0;
   std::vector<place> corners;
   for (const auto* list : {&got.all, &got.some, &got.none})
     for (const auto& ring : *list) corners.insert(corners.end(), ring.begin(), ring.end());
@@ -324,7 +324,7 @@ TEST_CASE("weak_visibility: sources that walls cut, cut where they do") {
     if (parts_of(s).status != visibility_status::source_crosses_obstacle) continue;
     const auto cut = irg::cut_source_rounded<double>(s.source, s.walls);
     const auto got = irg::weak_visibility(std::span<const place>(cut.ring), cut.obstacles, plan);
-    if (got.status != visibility_status::done) continue;
+    if (got.status != visibility_status::ok) continue;
     ++judged;
     for (int k = 0; k < 12; ++k) {
       const double x = 10 * r.unit() - 5;
@@ -347,7 +347,7 @@ TEST_CASE("weak_visibility: segments that walls cut, cut where they do") {
     if (parts_of(s).status != visibility_status::source_crosses_obstacle) continue;
     const auto cut = irg::cut_segment_rounded<double>({s.source[0], s.source[1]}, s.walls);
     const auto got = irg::weak_visibility(std::span<const std::vector<place>>(cut.pieces), cut.obstacles, plan);
-    if (got.status != visibility_status::done) continue;
+    if (got.status != visibility_status::ok) continue;
     ++judged;
     for (int k = 0; k < 12; ++k) {
       const double x = 10 * r.unit() - 5;
@@ -366,10 +366,10 @@ TEST_CASE("sight_between: what places in the region see in rationals, and the ot
     const scene s = random_scene(r, 3, 5), other = random_scene(r, 3, 0);
     if (s.source.size() < 3 || !s.second.empty() || other.source.size() < 3 || !other.second.empty()) continue;
     const auto got = irg::sight_between<double>(s.source, other.source, s.walls);
-    if (got.status != visibility_status::done) continue;
+    if (got.status != visibility_status::ok) continue;
     ++seen[static_cast<int>(got.value)];
     const auto back = irg::sight_between<double>(other.source, s.source, s.walls);
-    wrong += back.status == visibility_status::done && back.value != got.value;
+    wrong += back.status == visibility_status::ok && back.value != got.value;
     int least = 2, most = 0;
     for (int k = 0; k < 40; ++k) {
       const double x = 12 * r.unit() - 6, y = 12 * r.unit() - 6;

@@ -33,7 +33,7 @@ struct pixel_decoding<bgr8> {
 };
 template <>
 struct pixel_decoding<std::uint8_t> {
-  IRG_INLINE static constexpr std::uint8_t from(const rgba8& p) noexcept { return gray_level(p); }
+  IRG_INLINE static constexpr std::uint8_t from(const rgba8& p) noexcept { return grey_level(p); }
 };
 template <>
 struct pixel_decoding<rgb<float>> {
@@ -56,7 +56,7 @@ inline namespace IRG_ABI {
 /// The pixel as one of type To.
 /// gives   opacity 255 where the pixel has none; it is dropped, not multiplied in, where To has none. The same type is
 ///         kept as it is
-/// exact   channels of 8 bits are kept; coloured pixels become gray by gray_level; light and codes by encode and decode
+/// exact   channels of 8 bits are kept; coloured pixels become gray by grey_level; light and codes by encode and decode
 template <DecodablePixel To, ConvertiblePixel From>
 [[nodiscard]] IRG_INLINE constexpr To convert_pixel(const From& p) {
   if constexpr (std::same_as<To, From>)

@@ -34,9 +34,11 @@ template <std::same_as<std::uint8_t> Gray>
 /// The gray level of a colour, its opacity left aside: what is gray keeps its level.
 /// exact   (299 r + 587 g + 114 b) / 1000, rounded to nearest, half up
 /// source  BT.601
-[[nodiscard]] IRG_INLINE constexpr std::uint8_t gray_level(const rgba8& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr std::uint8_t grey_level(const rgba8& p) noexcept {
   return static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000);
 }
+
+IRG_RENAMED(gray_level, grey_level)
 
 }  // namespace IRG_ABI
 

@@ -3,16 +3,18 @@
 // sink returns is ignored; it may be stateful and need not be copyable.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 #include <irg/core/config.hpp>
 
 namespace irg {
 
-/// One pixel of the infinite grid: column x, row y.
+/// One pixel of the infinite grid: column x, row y. Ordered by x, then y.
 struct cell {
   int x = 0, y = 0;
   friend constexpr bool operator==(const cell&, const cell&) = default;
+  friend constexpr auto operator<=>(const cell&, const cell&) = default;
 };
 
 /// The pixels with x_first <= x < x_last and y_first <= y < y_last; none when either range is empty.

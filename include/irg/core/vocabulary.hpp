@@ -53,18 +53,21 @@ struct triangle_indices {
   constexpr bool operator==(const triangle_indices&) const = default;
 };
 
-/// A value, and what its arguments amounted to.
+/// A value that is harmless always, and what its arguments amounted to. True when the value is what was asked for.
 /// shape   S is an enum whose first value says that all is well
 template <class T, class S>
 struct [[nodiscard]] checked {
   T value{};
   S status{};
 
-  /// Whether the value is what was asked for.
-  [[nodiscard]] IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == S{}; }
+  [[nodiscard]] IRG_INLINE constexpr bool ok() const noexcept { return status == S{}; }
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return ok(); }
   /// The value, where nothing else is expected.
-  /// needs   is_ordinary()
-  [[nodiscard]] IRG_INLINE constexpr T expected() const noexcept { return IRG_EXPECTS(is_ordinary()), value; }
+  /// needs   ok()
+  [[nodiscard]] IRG_INLINE constexpr T expected() const noexcept { return IRG_EXPECTS(ok()), value; }
+  [[nodiscard, deprecated("irg: is_ordinary is now ok")]] IRG_INLINE constexpr bool is_ordinary() const noexcept {
+    return ok();
+  }
   bool operator==(const checked&) const = default;
 };
 

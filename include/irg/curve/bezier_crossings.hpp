@@ -38,7 +38,16 @@ struct meeting_search {
 
 /// What came of a search: all meetings within the tolerance; some stretches wider, the steps having been used up or the
 /// parameter's smallest step reached; or more of them than there was room for, the last one holding the rest.
-enum class meetings_found { within_tolerance, wide, too_many };
+enum class bezier_intersection_status {
+  ok,
+  wide,
+  too_many,
+  within_tolerance [[deprecated("irg: within_tolerance is now ok")]] = ok
+};
+
+/// The old name of bezier_intersection_status.
+using meetings_found [[deprecated("irg: bezier_intersection_status is now bezier_intersection_status")]] =
+    bezier_intersection_status;
 
 namespace detail::inline IRG_ABI {
 
@@ -172,7 +181,7 @@ inline namespace IRG_ABI {
 /// source  Lane and Riesenfeld 1980
 template <ControlPoints R, ControlPoints S>
   requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
-constexpr checked<std::size_t, meetings_found> bezier_meetings(
+constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
     const R& first, const S& second, const std::type_identity_t<meeting_search<scalar_of<control_point<R>>>>& search,
     std::span<curve_meeting<scalar_of<control_point<R>>>> room, std::span<control_point<R>> scratch) noexcept {
   using T = scalar_of<control_point<R>>;
@@ -204,10 +213,12 @@ constexpr checked<std::size_t, meetings_found> bezier_meetings(
                 static_cast<T>(j + 1) / second_all});
     goes_on = walk.advance();
   }
-  return {list.count, list.is_full ? meetings_found::too_many
-                      : any_wide   ? meetings_found::wide
-                                   : meetings_found::within_tolerance};
+  return {list.count, list.is_full ? bezier_intersection_status::too_many
+                      : any_wide   ? bezier_intersection_status::wide
+                                   : bezier_intersection_status::ok};
 }
+
+IRG_RENAMED(bezier_meetings, bezier_intersections)
 
 }  // namespace IRG_ABI
 }  // namespace irg

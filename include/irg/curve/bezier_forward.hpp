@@ -51,7 +51,7 @@ inline namespace IRG_ABI {
 /// cost    degree additions for each coordinate of a point
 /// source  Foley et al. 1990, 11.2.9
 template <ControlPoints R, class Sink>
-constexpr void bezier_forward(const R& points, int n, std::span<control_point<R>> scratch, Sink sink) {
+constexpr void bezier_forward(const R& points, int n, std::span<control_point<R>> scratch, Sink&& sink) {
   using P = control_point<R>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && n > 0 && scratch.size() >= count);

@@ -100,7 +100,7 @@ inline namespace IRG_ABI {
 ///         only rises or falls gets the end points' own coordinates. Control points that are not finite: the box of all
 ///         numbers
 /// exact   no side is farther out than some 20 * degree * u of the largest coordinate
-/// cost    bernstein_zeros of degree - 1 for each axis, two bezier_split for each extremum
+/// cost    bernstein_roots of degree - 1 for each axis, two bezier_split for each extremum
 /// source  Farin 2002, 5.3
 template <ControlPoints R>
   requires Floating<scalar_of<control_point<R>>>
@@ -128,7 +128,7 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
     if (count < 3 || !is_finite(largest)) continue;
     for (std::size_t i = 0; i + 1 < count; ++i) slopes[i] = {detail::half_difference(c[i + 1][0], c[i][0])};
     const T off = product(largest, std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 4;
-    bernstein_zeros(std::span<const vec<T, 1>>(slopes), off, work, [&](const zero_stretch<T>& z) {
+    bernstein_roots(std::span<const vec<T, 1>>(slopes), off, work, [&](const zero_stretch<T>& z) {
       const auto hull = detail::hull_of_stretch(std::span<const vec<T, 1>>(c), z.from, z.to, scratch.last(3 * count));
       from = lesser(from, greater(hull.x, least)), to = greater(to, lesser(hull.y, greatest));
     });
@@ -141,13 +141,13 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
 /// needs   one or more control points in the plane; scratch of four times as many numbers
 /// gives   false, and no stretches, where a and b are the same or not finite. A sign is 1 where the curve is left of
 ///         the line; a curve along the line is one stretch
-/// exact   as bernstein_zeros: no crossing is missed, whatever the sizes
-/// cost    as bernstein_zeros
+/// exact   as bernstein_roots: no crossing is missed, whatever the sizes
+/// cost    as bernstein_roots
 /// source  Lane and Riesenfeld 1981
 template <ControlPoints R, class Sink>
   requires(Floating<scalar_of<control_point<R>>> && size_of<control_point<R>> == 2)
-constexpr bool bezier_line_crossings(const R& points, const control_point<R>& a, const control_point<R>& b,
-                                     std::span<vec<scalar_of<control_point<R>>, 1>> scratch, Sink sink) {
+constexpr bool bezier_line_intersections(const R& points, const control_point<R>& a, const control_point<R>& b,
+                                         std::span<vec<scalar_of<control_point<R>>, 1>> scratch, Sink&& sink) {
   using T = scalar_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && scratch.size() >= 4 * count);
@@ -158,7 +158,7 @@ constexpr bool bezier_line_crossings(const R& points, const control_point<R>& a,
       is_large = is_large || magnitude(x) > T(1);
     }
   if (!is_sound) return false;
-  const auto along = try_normalize(generate_coordinates<vec<T, 2>>([&](int i) {
+  const auto along = try_normalized(generate_coordinates<vec<T, 2>>([&](int i) {
     const T from = coordinate(a, i), to = coordinate(b, i);
     return is_large ? detail::half_difference(to, from) : to - from;
   }));
@@ -173,7 +173,7 @@ constexpr bool bezier_line_crossings(const R& points, const control_point<R>& a,
     largest = greater(largest, magnitude(x) + magnitude(y));
   }
   const T off = product(largest, 8 * std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 8;
-  bernstein_zeros(std::span<const vec<T, 1>>(scratch.first(count)), off, scratch.subspan(count, 3 * count), sink);
+  bernstein_roots(std::span<const vec<T, 1>>(scratch.first(count)), off, scratch.subspan(count, 3 * count), sink);
   return true;
 }
 
@@ -185,7 +185,7 @@ constexpr bool bezier_line_crossings(const R& points, const control_point<R>& a,
 ///         square of the distance is the least up to 200 * degree * u of the square of the largest offset of a control
 ///         point, unless that offset is subnormal, wherever curve and p are. That is some u of the size, but half the
 ///         digits where the curve nearly stands still beside p. The point is rounded where it is, as bezier_point
-/// cost    bernstein_zeros of degree 2 * degree - 1, and degree^2 products for its coefficients
+/// cost    bernstein_roots of degree 2 * degree - 1, and degree^2 products for its coefficients
 /// source  Schneider 1990
 template <ControlPoints R>
   requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
@@ -222,7 +222,7 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
   if (degree > 0) {
     const auto c = scratch.first(2 * degree);
     const T off = detail::foot_coefficients<R, T>(points, p, c);
-    bernstein_zeros(std::span<const vec<T, 1>>(c), off, scratch.subspan(2 * degree, 6 * degree),
+    bernstein_roots(std::span<const vec<T, 1>>(c), off, scratch.subspan(2 * degree, 6 * degree),
                     [&](const zero_stretch<T>& z) {
                       compare(z.from);
                       compare(z.middle());
@@ -232,6 +232,8 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
   }
   return {best, bezier_point(points, curve_parameter<T>(best), work), is_large ? 4 * least : least};
 }
+
+IRG_RENAMED(bezier_line_crossings, bezier_line_intersections)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -128,7 +128,7 @@ template <CurvePoint P, int U, int V>
 /// one derivative is zero, as along a border that has shrunk to a point, it is the limit from inside the patch.
 /// gives   nothing where that limit needs derivatives beyond the mixed one, the two derivatives are parallel, or one is
 ///         not finite
-/// exact   a cross product and try_normalize of the derivatives in s
+/// exact   a cross product and try_normalized of the derivatives in s
 template <CartesianPoint P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>>)
 [[nodiscard]] constexpr std::optional<typename surface_sample<P>::vector> surface_normal(
@@ -144,13 +144,13 @@ template <CartesianPoint P>
   if (is_zero(s.du) && is_zero(s.dv)) return std::nullopt;
   const vector along_u = is_zero(s.du) ? inward(v) : s.du;
   const vector along_v = is_zero(s.dv) ? inward(u) : s.dv;
-  const auto first = try_normalize(along_u), second = try_normalize(along_v);
+  const auto first = try_normalized(along_u), second = try_normalized(along_v);
   if (!first || !second) return std::nullopt;
   const vector across = cross(*first, *second);
   // So small it may be what the directions were rounded by.
   if (length_squared(across) <= std::numeric_limits<scalar_of<P>>::epsilon() && detail::are_parallel(along_u, along_v))
     return std::nullopt;
-  return try_normalize(across);
+  return try_normalized(across);
 }
 
 /// The normal of length 1 of the patch at (u, v).
@@ -168,7 +168,7 @@ template <CartesianPoint P, int U, int V>
 /// exact   as patch_sample at curve_fraction: mirrored patches have mirrored lattices bit for bit
 /// cost    (n + 1)*(m + 1) samples
 template <CurvePoint P, int U, int V, class Visit>
-constexpr void tessellate(const bezier_patch<P, U, V>& patch, int n, int m, Visit visit) {
+constexpr void tessellate(const bezier_patch<P, U, V>& patch, int n, int m, Visit&& visit) {
   IRG_EXPECTS(n > 0 && m > 0);
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= m; ++j)

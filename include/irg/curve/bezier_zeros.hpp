@@ -109,8 +109,8 @@ inline namespace IRG_ABI {
 /// cost    some digits / 2 halvings for each zero, each with two bezier_split; then halvings of bezier_point
 /// source  Lane and Riesenfeld 1981
 template <Floating T, class Sink>
-constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::type_identity_t<T> uncertainty,
-                               std::type_identity_t<std::span<vec<T, 1>>> scratch, Sink sink) {
+constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::type_identity_t<T> uncertainty,
+                               std::type_identity_t<std::span<vec<T, 1>>> scratch, Sink&& sink) {
   constexpr int depth = std::numeric_limits<T>::digits / 2 + 2;
   const std::size_t n = coefficients.size();
   IRG_EXPECTS(n > 0 && scratch.size() >= 3 * n && !(uncertainty < 0));
@@ -129,7 +129,7 @@ constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::typ
   const T off = uncertainty + product(steps, product(largest, std::numeric_limits<T>::epsilon() / 2) +
                                                  std::numeric_limits<T>::denorm_min());
   const auto left = scratch.first(n), work = scratch.subspan(n, n), piece = scratch.subspan(2 * n, n);
-  detail::zero_collector<T, Sink> zeros{sink};
+  detail::zero_collector<T, std::remove_reference_t<Sink>> zeros{sink};
   int level = 0, k = 0;  // the stretch from k to k + 1, of 2^level
   while (true) {
     bezier_split(coefficients, curve_fraction<T>(k + 1, 1 << level), left, work);
@@ -160,6 +160,8 @@ constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::typ
   }
   zeros.close(0);
 }
+
+IRG_RENAMED(bernstein_zeros, bernstein_roots)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -27,16 +27,20 @@ namespace irg {
 /// What is wrong with a list of knots: fewer than 2 * (degree + 1), NaN or beyond an eighth of the largest number in
 /// size, one less than the one before it, more than degree + 1 equal ones, no two different ones between which the
 /// curve could run; with its degree, which is below 0; or with a knot to insert, which is outside of the curve's range.
-enum class [[nodiscard]] knots_error {
-  none,
+enum class [[nodiscard]] knots_status {
+  ok,
   too_few,
   not_finite,
   decreasing,
   too_many_equal,
   empty,
   negative_degree,
-  outside
+  outside,
+  none [[deprecated("irg: none is now ok")]] = ok
 };
+
+/// The old name of knots_status.
+using knots_error [[deprecated("irg: knots_status is now knots_status")]] = knots_status;
 
 /// The Degree of bspline_knots that bring it along.
 inline constexpr int degree_at_run_time = -1;
@@ -67,10 +71,10 @@ inline namespace IRG_ABI {
 /// What is wrong with the knots of a B-spline of this degree, or none.
 /// cost    one pass
 template <Floating T>
-[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept;
+[[nodiscard]] constexpr knots_status check_knots(std::span<const T> knots, int degree) noexcept;
 template <int Degree, Floating T>
   requires(Degree >= 0)
-[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots) noexcept;
+[[nodiscard]] constexpr knots_status check_knots(std::span<const T> knots) noexcept;
 
 }  // namespace IRG_ABI
 
@@ -84,12 +88,12 @@ public:
   IRG_INLINE constexpr explicit bspline_knots(std::span<const T> knots) noexcept
     requires(Degree >= 0)
       : knots_(knots) {
-    IRG_EXPECTS(check_knots(knots, Degree) == knots_error::none);
+    IRG_EXPECTS(check_knots(knots, Degree) == knots_status::ok);
   }
   IRG_APART constexpr bspline_knots(std::span<const T> knots, int degree) noexcept
     requires(Degree == degree_at_run_time)
       : detail::knots_degree<Degree>{degree}, knots_(knots) {
-    IRG_EXPECTS(check_knots(knots, degree) == knots_error::none);
+    IRG_EXPECTS(check_knots(knots, degree) == knots_status::ok);
   }
 
   /// The number of control points, and of basis functions.
@@ -430,36 +434,36 @@ constexpr std::size_t bspline_stretch(const bspline_knots<T, Degree>& knots, T t
 namespace irg::inline IRG_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept {
+[[nodiscard]] constexpr knots_status check_knots(std::span<const T> knots, int degree) noexcept {
   constexpr T largest = (std::numeric_limits<T>::max)() / 8;
-  if (degree < 0) return knots_error::negative_degree;
+  if (degree < 0) return knots_status::negative_degree;
   const std::size_t order = static_cast<std::size_t>(degree) + 1;
-  if (knots.size() / 2 < order) return knots_error::too_few;
+  if (knots.size() / 2 < order) return knots_status::too_few;
   for (const T& u : knots)
-    if (!(u <= largest && u >= -largest)) return knots_error::not_finite;
+    if (!(u <= largest && u >= -largest)) return knots_status::not_finite;
   for (std::size_t i = 1; i < knots.size(); ++i)
-    if (knots[i] < knots[i - 1]) return knots_error::decreasing;
+    if (knots[i] < knots[i - 1]) return knots_status::decreasing;
   for (std::size_t i = order; i < knots.size(); ++i)
-    if (knots[i] == knots[i - order]) return knots_error::too_many_equal;
-  return knots[order - 1] < knots[knots.size() - order] ? knots_error::none : knots_error::empty;
+    if (knots[i] == knots[i - order]) return knots_status::too_many_equal;
+  return knots[order - 1] < knots[knots.size() - order] ? knots_status::ok : knots_status::empty;
 }
 
 template <int Degree, Floating T>
   requires(Degree >= 0)
-[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots) noexcept {
+[[nodiscard]] constexpr knots_status check_knots(std::span<const T> knots) noexcept {
   return check_knots(knots, Degree);
 }
 
 template <int Degree, Floating T>
 [[nodiscard]] constexpr std::optional<bspline_knots<T, Degree>> make_bspline_knots(std::span<const T> knots) noexcept {
-  if (check_knots<Degree>(knots) != knots_error::none) return std::nullopt;
+  if (check_knots<Degree>(knots) != knots_status::ok) return std::nullopt;
   return bspline_knots<T, Degree>(knots);
 }
 
 template <Floating T>
 [[nodiscard]] constexpr std::optional<bspline_knots<T, degree_at_run_time>> make_bspline_knots(std::span<const T> knots,
                                                                                                int degree) noexcept {
-  if (check_knots(knots, degree) != knots_error::none) return std::nullopt;
+  if (check_knots(knots, degree) != knots_status::ok) return std::nullopt;
   return bspline_knots<T, degree_at_run_time>(knots, degree);
 }
 

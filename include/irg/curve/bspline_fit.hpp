@@ -27,7 +27,13 @@ enum class fit_ends { through, free };
 /// What became of a fit: `not_rising` where a parameter is less than the one before it or outside of the knots' range,
 /// `undetermined` where some control point is not determined by the points (as when two are to be interpolated at one
 /// place), `not_finite` where a number is not finite, be it given or one of a control point.
-enum class [[nodiscard]] bspline_fit_status { done, not_rising, undetermined, not_finite };
+enum class [[nodiscard]] bspline_fit_status {
+  ok,
+  not_rising,
+  undetermined,
+  not_finite,
+  done [[deprecated("irg: done is now ok")]] = ok
+};
 
 namespace detail::inline IRG_ABI {
 
@@ -252,7 +258,7 @@ constexpr void fit_knots(std::span<const T> places, int degree, std::size_t coun
 
 /// The control points of the curve over these knots that is at each place in the point that belongs to it.
 /// needs   as many points, places and room for control points as knots.size()
-/// gives   how far the farthest point is from the curve at its place; a status other than `done`, and no control
+/// gives   how far the farthest point is from the curve at its place; a status other than `ok`, and no control
 ///         points, where there is no such curve or more than one
 /// exact   rotations of one banded matrix, each rounded: at its place the curve is within some 10 u of the largest
 ///         control point of the given one, first and last point bit for bit where the end knots are of full

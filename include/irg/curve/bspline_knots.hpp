@@ -20,15 +20,15 @@ inline namespace IRG_ABI {
 ///         are not in [first(), last()]. `merged` is then of no use
 /// exact   knots are copied
 template <Floating T, int Degree>
-constexpr knots_error insert_knots(const bspline_knots<T, Degree>& knots,
-                                   std::type_identity_t<std::span<const T>> inserted,
-                                   std::type_identity_t<std::span<T>> merged) noexcept {
+constexpr knots_status insert_knots(const bspline_knots<T, Degree>& knots,
+                                    std::type_identity_t<std::span<const T>> inserted,
+                                    std::type_identity_t<std::span<T>> merged) noexcept {
   const auto old = knots.list();
   IRG_EXPECTS(merged.size() >= old.size() + inserted.size());
   for (std::size_t i = 0; i < inserted.size(); ++i) {
-    if (!is_finite(inserted[i])) return knots_error::not_finite;
-    if (i > 0 && inserted[i] < inserted[i - 1]) return knots_error::decreasing;
-    if (!(knots.first() <= inserted[i] && inserted[i] <= knots.last())) return knots_error::outside;
+    if (!is_finite(inserted[i])) return knots_status::not_finite;
+    if (i > 0 && inserted[i] < inserted[i - 1]) return knots_status::decreasing;
+    if (!(knots.first() <= inserted[i] && inserted[i] <= knots.last())) return knots_status::outside;
   }
   std::size_t from_old = 0, from_new = 0;
   for (std::size_t i = 0; i < old.size() + inserted.size(); ++i) {
@@ -138,7 +138,7 @@ constexpr bool bspline_refine(const bspline_knots<T, Degree>& knots, const R& po
 template <Floating T, int Degree, ControlPolygon R, class Sink>
 constexpr void bspline_bezier_pieces(const bspline_knots<T, Degree>& knots, const R& points,
                                      std::type_identity_t<std::span<T>> scratch, std::span<ring_point<R>> piece,
-                                     Sink sink) {
+                                     Sink&& sink) {
   const std::size_t order = knots.order(), degree = order - 1;
   IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= order && piece.size() >= order);
   const auto value = scratch.first(order);

@@ -252,7 +252,7 @@ template <Floating T, int Degree>
 template <CurvePoint P, int U, int V, class Sink>
 constexpr void bspline_surface_patches(const bspline_surface<P, U, V>& surface,
                                        std::type_identity_t<std::span<scalar_of<P>>> scratch,
-                                       std::type_identity_t<std::span<P>> piece, Sink sink) {
+                                       std::type_identity_t<std::span<P>> piece, Sink&& sink) {
   const std::size_t rows = surface.u.order(), columns = surface.v.order();
   IRG_EXPECTS(scratch.size() >= rows * rows + columns * columns && piece.size() >= rows * columns);
   const auto share_u = [&](std::size_t i) { return scratch.subspan(i * rows, rows); };

@@ -29,7 +29,7 @@ IRG_INLINE constexpr V plus_scaled(const V& a, scalar_of<V> factor, const V& b) 
 /// The frame with this tangent whose normal is nearest to `normal`.
 template <Vector V>
 constexpr std::optional<curve_frame<V>> frame_towards(const V& tangent, const V& normal) noexcept {
-  const auto binormal = try_normalize(cross(tangent, normal));
+  const auto binormal = try_normalized(cross(tangent, normal));
   if (!binormal) return std::nullopt;
   return curve_frame<V>{tangent, normalized(cross(*binormal, tangent)), *binormal};
 }
@@ -45,7 +45,7 @@ inline namespace IRG_ABI {
 template <Vector V>
   requires(size_of<V> == 2 && Floating<scalar_of<V>>)
 [[nodiscard]] constexpr std::optional<scalar_of<V>> curvature(const V& first, const V& second) noexcept {
-  const auto along = try_normalize(first);
+  const auto along = try_normalized(first);
   if (!along) return std::nullopt;
   const auto speed = length(first);
   return difference_of_products(coordinate(*along, 0), coordinate(second, 1), coordinate(*along, 1),
@@ -60,7 +60,7 @@ template <Vector V>
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
 [[nodiscard]] constexpr std::optional<scalar_of<V>> curvature(const V& first, const V& second) noexcept {
-  const auto along = try_normalize(first);
+  const auto along = try_normalized(first);
   if (!along) return std::nullopt;
   const auto speed = length(first);
   return length(cross(*along, second)) / speed / speed;
@@ -81,7 +81,7 @@ template <Vector V>
     return generate_coordinates<V>([&](int i) { return converted<T>(s.c[i]); });
   };
   const V turn = cross(moderate(a), moderate(b));
-  const auto axis = try_normalize(turn);
+  const auto axis = try_normalized(turn);
   if (!axis) return std::nullopt;
   if (c.scale == 0) return T(0);
   const int places = exponent_of(a.scale) + exponent_of(b.scale) - exponent_of(c.scale);
@@ -95,8 +95,8 @@ template <Vector V>
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
 [[nodiscard]] constexpr std::optional<curve_frame<V>> frenet_frame(const V& first, const V& second) noexcept {
-  const auto tangent = try_normalize(first);
-  const auto bend = try_normalize(second);
+  const auto tangent = try_normalized(first);
+  const auto bend = try_normalized(second);
   if (!tangent || !bend || detail::are_parallel(first, second)) return std::nullopt;
   return detail::frame_towards(*tangent, *bend);
 }
@@ -108,9 +108,9 @@ template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
 [[nodiscard]] constexpr std::optional<curve_frame<V>> frame_with_up(const V& tangent,
                                                                     const std::type_identity_t<V>& up) noexcept {
-  const auto along = try_normalize(tangent);
+  const auto along = try_normalized(tangent);
   if (!along) return std::nullopt;
-  const auto above = try_normalize(up);
+  const auto above = try_normalized(up);
   if (above && !detail::are_parallel(tangent, up))
     if (const auto frame = detail::frame_towards(*along, *above)) return frame;
   int axis = 0;
@@ -130,18 +130,18 @@ template <Vector V>
 /// source  Wang, Juttler, Zheng and Liu 2008 (double reflection)
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
-[[nodiscard]] constexpr curve_frame<V> rotation_minimising_frame(const curve_frame<V>& frame,
+[[nodiscard]] constexpr curve_frame<V> rotation_minimizing_frame(const curve_frame<V>& frame,
                                                                  const std::type_identity_t<V>& displacement,
                                                                  const std::type_identity_t<V>& tangent) noexcept {
   using T = scalar_of<V>;
-  const auto along = try_normalize(tangent);
+  const auto along = try_normalized(tangent);
   if (!along) return frame;
   const auto mirrored = [](const V& v, const V& axis) {
     return detail::plus_scaled(v, product(T(-2), dot(v, axis)), axis);
   };
-  const V across = try_normalize(displacement).value_or(frame.tangent);
+  const V across = try_normalized(displacement).value_or(frame.tangent);
   const V normal = mirrored(frame.normal, across), back = mirrored(frame.tangent, across);
-  const auto between = try_normalize(detail::plus_scaled(*along, T(-1), back));
+  const auto between = try_normalized(detail::plus_scaled(*along, T(-1), back));
   return detail::frame_towards(*along, between ? mirrored(normal, *between) : normal).value_or(frame);
 }
 
@@ -149,6 +149,8 @@ IRG_REFUSES_POINTS(curvature);
 IRG_REFUSES_POINTS(torsion);
 IRG_REFUSES_POINTS(frenet_frame);
 IRG_REFUSES_POINTS(frame_with_up);
+
+IRG_RENAMED(rotation_minimising_frame, rotation_minimizing_frame)
 
 }  // namespace IRG_ABI
 }  // namespace irg

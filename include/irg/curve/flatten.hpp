@@ -101,7 +101,7 @@ inline namespace IRG_ABI {
 template <ControlPoints R, class Sink>
   requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
 constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<control_point<R>>> tolerance,
-                             std::span<control_point<R>> scratch, Sink sink) {
+                             std::span<control_point<R>> scratch, Sink&& sink) {
   using T = scalar_of<control_point<R>>;
   constexpr int end = 65536;
   const std::size_t count = ring_traits<R>::size(points);

@@ -73,7 +73,7 @@ constexpr void translation_net(std::span<const P> curve, std::span<const V> path
 
 /// One row of a surface swept along a path with turning: a section in the plane of a frame, x along its normal and y
 /// along its binormal.
-/// shape   rows of successive frames (rotation_minimising_frame) are points for bspline_interpolate along the path
+/// shape   rows of successive frames (rotation_minimizing_frame) are points for bspline_interpolate along the path
 /// needs   row as long as section
 /// exact   two products and two sums, rounded once each; at section points (0, 0) the place bit for bit
 /// source  Piegl and Tiller 1997, 10.4

@@ -76,7 +76,7 @@ template <CurvePoint P, int U, int V>
 template <CurvePoint P, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr surface_tessellation tessellate_within(const control_net<P>& net,
-                                                 std::type_identity_t<scalar_of<P>> tolerance, Sink sink);
+                                                 std::type_identity_t<scalar_of<P>> tolerance, Sink&& sink);
 
 /// Hands the triangles of a Bezier patch in n by m equal steps to sink(corner, corner, corner).
 /// needs   n > 0, m > 0
@@ -85,7 +85,7 @@ constexpr surface_tessellation tessellate_within(const control_net<P>& net,
 /// cost    for each corner a curve of degree V, for each of n + 1 rows V + 1 curves of degree U; keeps two rows
 template <CurvePoint P, int U, int V, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
-constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& patch, int n, int m, Sink sink);
+constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& patch, int n, int m, Sink&& sink);
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -534,15 +534,15 @@ template <CurvePoint P, int U, int V>
 template <CurvePoint P, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr surface_tessellation tessellate_within(const control_net<P>& net,
-                                                 std::type_identity_t<scalar_of<P>> tolerance, Sink sink) {
+                                                 std::type_identity_t<scalar_of<P>> tolerance, Sink&& sink) {
   if (!detail::has_finite_bends(net)) return {0, 0, false};
   if (net.rows() < 2 || net.columns < 2) return {};
-  return detail::framed_patch<P, Sink>(net, tolerance, sink).run();
+  return detail::framed_patch<P, std::remove_reference_t<Sink>>(net, tolerance, sink).run();
 }
 
 template <CurvePoint P, int U, int V, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
-constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& patch, int n, int m, Sink sink) {
+constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& patch, int n, int m, Sink&& sink) {
   using T = scalar_of<P>;
   using corner = surface_corner<P>;
   IRG_EXPECTS(n > 0 && m > 0);

@@ -32,7 +32,7 @@ template <CurvePoint P, PlanePolygon R, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_net<P>& net, const R& polygon,
                                                                  std::type_identity_t<scalar_of<P>> tolerance,
-                                                                 Sink sink);
+                                                                 Sink&& sink);
 
 }  // namespace irg::inline IRG_ABI
 
@@ -86,11 +86,11 @@ template <CurvePoint P, PlanePolygon R, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_net<P>& net, const R& polygon,
                                                                  std::type_identity_t<scalar_of<P>> tolerance,
-                                                                 Sink sink) {
+                                                                 Sink&& sink) {
   using T = scalar_of<P>;
   using corner = surface_corner<P>;
   const triangulation parts = triangulate_monotone(polygon);
-  if (parts.state != triangulation_state::complete) return std::nullopt;
+  if (parts.status != triangulation_status::ok) return std::nullopt;
   surface_tessellation done;
   if (!detail::has_finite_bends(net)) return surface_tessellation{0, 0, false};
   if (net.rows() < 2 || net.columns < 2) return done;

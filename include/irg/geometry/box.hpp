@@ -82,7 +82,7 @@ template <class T, int N>
 /// gives   a coordinate of p that is NaN is passed over, the others count
 /// exact   no arithmetic
 template <class T, int N>
-[[nodiscard]] IRG_INLINE constexpr box<T, N> enclosing_box(const box<T, N>& b, const point<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr box<T, N> bounding_box(const box<T, N>& b, const point<T, N>& p) noexcept {
   if constexpr (!std::numeric_limits<T>::is_specialized)
     if (is_empty(b)) return {p, p};
   return {generate_coordinates<point<T, N>>([&](int i) { return lesser(p[i], b.low[i]); }),
@@ -93,10 +93,10 @@ template <class T, int N>
 /// gives   the other one when one is empty
 /// exact   no arithmetic
 template <class T, int N>
-[[nodiscard]] IRG_INLINE constexpr box<T, N> enclosing_box(const box<T, N>& a, const box<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr box<T, N> bounding_box(const box<T, N>& a, const box<T, N>& b) noexcept {
   if (is_empty(a)) return b;
   if (is_empty(b)) return a;
-  return enclosing_box(enclosing_box(a, b.low), b.high);
+  return bounding_box(bounding_box(a, b.low), b.high);
 }
 
 /// The smallest box around the points of a range or ring.
@@ -105,13 +105,13 @@ template <class T, int N>
 /// cost    one pass
 template <PolygonRing R>
   requires Point<typename ring_traits<R>::point>
-[[nodiscard]] constexpr auto enclosing_box(const R& points) noexcept {
+[[nodiscard]] constexpr auto bounding_box(const R& points) noexcept {
   using P = typename ring_traits<R>::point;
   using T = scalar_of<P>;
   box<T, size_of<P>> b;
   for (std::size_t k = 0; k < ring_traits<R>::size(points); ++k) {
     const P p = ring_traits<R>::vertex(points, k);
-    b = enclosing_box(b, generate_coordinates<point<T, size_of<P>>>([&](int i) { return coordinate(p, i); }));
+    b = bounding_box(b, generate_coordinates<point<T, size_of<P>>>([&](int i) { return coordinate(p, i); }));
   }
   return b;
 }
@@ -121,13 +121,13 @@ template <PolygonRing R>
 /// exact   no arithmetic
 /// cost    one pass
 template <Mesh M>
-[[nodiscard]] constexpr auto enclosing_box(const M& m) noexcept {
+[[nodiscard]] constexpr auto bounding_box(const M& m) noexcept {
   using P = typename mesh_traits<M>::point;
   using T = scalar_of<P>;
   box<T, size_of<P>> b;
   for (std::size_t v = 0; v < mesh_traits<M>::vertex_count(m); ++v) {
     const P p = mesh_traits<M>::position(m, v);
-    b = enclosing_box(b, generate_coordinates<point<T, size_of<P>>>([&](int i) { return coordinate(p, i); }));
+    b = bounding_box(b, generate_coordinates<point<T, size_of<P>>>([&](int i) { return coordinate(p, i); }));
   }
   return b;
 }
@@ -147,6 +147,16 @@ template <class T, int N>
   return true;
 }
 
+/// The box of the points that lie in both boxes.
+/// gives   an empty box when there is none; one without volume where they touch
+/// exact   comparisons alone
+template <class T, int N>
+[[nodiscard]] IRG_INLINE constexpr box<T, N> intersect(const box<T, N>& a, const box<T, N>& b) noexcept {
+  if (!overlap(a, b)) return {};
+  return {generate_coordinates<point<T, N>>([&](int i) { return greater(a.low[i], b.low[i]); }),
+          generate_coordinates<point<T, N>>([&](int i) { return lesser(a.high[i], b.high[i]); })};
+}
+
 /// Whether p lies in the box or on its boundary.
 /// gives   false when a coordinate of p is NaN
 /// exact   comparisons alone
@@ -159,7 +169,7 @@ template <class T, int N>
 /// gives   zeros for the empty box; infinity where the difference is beyond the range
 /// exact   each difference rounded once
 template <class T, int N>
-[[nodiscard]] constexpr vec<T, N> size(const box<T, N>& b) noexcept {
+[[nodiscard]] constexpr vec<T, N> extent(const box<T, N>& b) noexcept {
   if (is_empty(b)) return {};
   return b.high - b.low;
 }
@@ -191,7 +201,7 @@ template <class T, int N>
 /// needs   a box that is not empty
 /// exact   radius within 2 ulp
 template <Floating T, int N>
-[[nodiscard]] constexpr bounding_sphere<T, N> sphere_around(const box<T, N>& b) noexcept {
+[[nodiscard]] constexpr bounding_sphere<T, N> bounding_sphere_of(const box<T, N>& b) noexcept {
   const point<T, N> middle = centre(b);
   const vec<T, N> half = generate_coordinates<vec<T, N>>([&](int i) {
     return greater(b.high[i] - middle[i], middle[i] - b.low[i]);  // the centre may be rounded towards either
@@ -204,10 +214,10 @@ template <Floating T, int N>
 /// exact   radius within 2 ulp
 template <Mesh M>
   requires Floating<scalar_of<mesh_point<M>>>
-[[nodiscard]] constexpr auto sphere_around(const M& m) noexcept {
+[[nodiscard]] constexpr auto bounding_sphere_of(const M& m) noexcept {
   using traits = mesh_traits<M>;
   using T = scalar_of<typename traits::point>;
-  bounding_sphere<T, size_of<typename traits::point>> ball{centre(enclosing_box(m)), T(0)};
+  bounding_sphere<T, size_of<typename traits::point>> ball{centre(bounding_box(m)), T(0)};
   for (std::size_t v = 0; v < traits::vertex_count(m); ++v) {
     const auto from_centre = generate_coordinates<vec<T, size_of<typename traits::point>>>(
         [&](int i) { return coordinate(traits::position(m, v), i) - ball.centre[i]; });
@@ -215,6 +225,10 @@ template <Mesh M>
   }
   return ball;
 }
+
+IRG_RENAMED(size, extent)
+IRG_RENAMED(enclosing_box, bounding_box)
+IRG_RENAMED(sphere_around, bounding_sphere_of)
 
 }  // namespace IRG_ABI
 }  // namespace irg

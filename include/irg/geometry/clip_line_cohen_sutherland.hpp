@@ -23,7 +23,7 @@ template <Point P>
 constexpr moving_end moved_to(const P& a, const P& b, const box<scalar_of<P>, 2>& window, window_side at) noexcept {
   moving_end end{{0, 0}, at};
   const int other = 1 - at.axis;
-  const auto y = coordinate(crossing_point(a, b, window, at), other);
+  const auto y = coordinate(intersection_point(a, b, window, at), other);
   int place = place_of(y, window, other);
   for (const int side : {-1, 1})  // rounded to the corner: from within, or from beyond?
     if (const window_side edge{other, side}; place == 0 && y == bound_of(window, edge)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sutherland and Hodgman's polygon clipping, in the plane against windows and convex polygons, in space against convex
 // regions given by planes, such as a view pyramid's. Edges of the result that run along a boundary are the price of its
-// simplicity where the polygon is not convex; polygon_overlay gives the pieces apart.
+// simplicity where the polygon is not convex; polygon_boolean gives the pieces apart.
 #pragma once
 
 #include <concepts>
@@ -368,7 +368,7 @@ constexpr void clip_into(std::span<const V> polygon, const Region& region, const
       box<T, 2> extent;
       for (std::size_t i = 0; i < ring_size(region); ++i) {
         const auto q = ring_vertex(region, i);
-        extent = enclosing_box(extent, point<T, 2>{coordinate(q, 0), coordinate(q, 1)});
+        extent = bounding_box(extent, point<T, 2>{coordinate(q, 0), coordinate(q, 1)});
       }
       return contains(extent, point<T, 2>{coordinate(p, 0), coordinate(p, 1)});
     };

@@ -21,8 +21,8 @@ namespace irg::inline IRG_ABI {
 /// exact   correctly rounded, ties to even
 /// cost    a quotient of polynomials of degree 3 in doubled precision, in exact numbers where that does not suffice
 template <Floating T>
-[[nodiscard]] constexpr std::optional<point<T, 2>> crossing_point(const segment<T, 2>& first,
-                                                                  const segment<T, 2>& second) noexcept {
+[[nodiscard]] constexpr std::optional<point<T, 2>> intersection_point(const segment<T, 2>& first,
+                                                                      const segment<T, 2>& second) noexcept {
   // With f and g twice the areas that `second` spans with a and b, the crossing is (g*a - f*b)/(g - f).
   const auto at = quotients_of<3>(
       [](const auto& a, const auto& b, const auto& c, const auto& d) {
@@ -57,5 +57,7 @@ template <Scalar T>
       first.a, first.b, second.a, second.b, of.a, of.b);
   return apart == 0 ? std::nullopt : std::optional(apart * side);
 }
+
+IRG_RENAMED(crossing_point, intersection_point)
 
 }  // namespace irg::inline IRG_ABI

@@ -71,7 +71,8 @@ template <HomogeneousPoint P>
 ///         for exactly parallel lines only
 /// source  Mihajlovic 2016, the dual of formula 2.5; parallel lines have a common point at infinity
 template <Scalar T>
-[[nodiscard]] constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const line<T>& second) noexcept {
+[[nodiscard]] constexpr std::optional<hpoint<T, 2>> intersection_point(const line<T>& first,
+                                                                       const line<T>& second) noexcept {
   const auto own = [](const line<T>& l) { return vec<T, 3>{l.a, l.b, l.c}; };
   const auto p = detail::rounded_line<T>(
       values_of<2>([](const auto& a, const auto& b) { return cross(a, b); }, own(first), own(second)));
@@ -103,7 +104,7 @@ template <Scalar T>
 /// source  Mihajlovic 2016, 2.3, whose sign means above for x2 > x1 only
 template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
-[[nodiscard]] constexpr std::optional<side> height_of(const line<T>& l, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<side> vertical_side_of(const line<T>& l, const P& p) noexcept {
   if (l.b == T(0)) return std::nullopt;
   const int sign = side_of_line(l, p);
   return static_cast<side>(l.b < T(0) ? -sign : sign);
@@ -111,7 +112,10 @@ template <Scalar T, Point P>
 
 IRG_REFUSES_VECTORS(line_through);
 IRG_REFUSES_VECTORS(line_value);
-IRG_REFUSES_VECTORS(height_of);
+IRG_REFUSES_VECTORS(vertical_side_of);
+
+IRG_RENAMED(height_of, vertical_side_of)
+IRG_RENAMED(common_point, intersection_point)
 
 }  // namespace IRG_ABI
 }  // namespace irg

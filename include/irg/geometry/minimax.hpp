@@ -62,7 +62,7 @@ inline namespace IRG_ABI {
 /// exact   no arithmetic
 template <HasRectangle X>
 [[nodiscard]] constexpr auto rectangle_of(const X& x) noexcept {
-  const auto b = enclosing_box(x);
+  const auto b = bounding_box(x);
   using T = std::remove_cvref_t<decltype(b.low[0])>;
   return box<T, 2>{{b.low[0], b.low[1]}, {b.high[0], b.high[1]}};
 }

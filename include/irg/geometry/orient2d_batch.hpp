@@ -32,22 +32,22 @@ inline namespace IRG_ABI {
 /// cost    about 8 operations for as many points as one instruction works on
 template <Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, double>)
-constexpr std::size_t orient2d_batch(const P& a, const P& b, const point_columns& c,
-                                     std::span<std::int8_t> signs) noexcept;
+constexpr std::size_t orient2d_all(const P& a, const P& b, const point_columns& c,
+                                   std::span<std::int8_t> signs) noexcept;
 
 /// signs[i] = orient2d(a[i], b[i], c[i]).
 /// needs   finite coordinates; all columns and signs of one size
 /// gives   how many triples are so nearly collinear that the filter left them to orient2d
 /// exact   as orient2d; the same bytes and the same count in constant evaluation and with any lanes
-constexpr std::size_t orient2d_batch(const point_columns& a, const point_columns& b, const point_columns& c,
-                                     std::span<std::int8_t> signs) noexcept;
+constexpr std::size_t orient2d_all(const point_columns& a, const point_columns& b, const point_columns& c,
+                                   std::span<std::int8_t> signs) noexcept;
 
 }  // namespace IRG_ABI
 }  // namespace irg
 
 namespace irg::detail::inline IRG_ABI {
 
-// The inner loop of orient2d_batch: a filter for many points at once, and orient2d for those that it leaves open.
+// The inner loop of orient2d_all: a filter for many points at once, and orient2d for those that it leaves open.
 //
 // With l and r the two rounded products whose difference is the area, the error of l - r is at most (3 + 16u)u times
 // |l| + |r| (Shewchuk 1997), u = 2^-53. That sum is the greater of |l + r| and |l - r|; where it is |l - r|, l and r
@@ -176,8 +176,8 @@ namespace irg::inline IRG_ABI {
 
 template <Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, double>)
-constexpr std::size_t orient2d_batch(const P& a, const P& b, const point_columns& c,
-                                     std::span<std::int8_t> signs) noexcept {
+constexpr std::size_t orient2d_all(const P& a, const P& b, const point_columns& c,
+                                   std::span<std::int8_t> signs) noexcept {
   IRG_EXPECTS(c.x.size() == signs.size() && c.y.size() == signs.size());
   const double ax = coordinate(a, 0), ay = coordinate(a, 1), bx = coordinate(b, 0), by = coordinate(b, 1);
   const detail::line_batch_filter filter(ax, ay, bx, by, c.x.data(), c.y.data());
@@ -186,8 +186,8 @@ constexpr std::size_t orient2d_batch(const P& a, const P& b, const point_columns
   });
 }
 
-constexpr std::size_t orient2d_batch(const point_columns& a, const point_columns& b, const point_columns& c,
-                                     std::span<std::int8_t> signs) noexcept {
+constexpr std::size_t orient2d_all(const point_columns& a, const point_columns& b, const point_columns& c,
+                                   std::span<std::int8_t> signs) noexcept {
   IRG_EXPECTS(a.x.size() == signs.size() && a.y.size() == signs.size());
   IRG_EXPECTS(b.x.size() == signs.size() && b.y.size() == signs.size());
   IRG_EXPECTS(c.x.size() == signs.size() && c.y.size() == signs.size());
@@ -196,5 +196,7 @@ constexpr std::size_t orient2d_batch(const point_columns& a, const point_columns
     return orient2d(std::array{a.x[i], a.y[i]}, std::array{b.x[i], b.y[i]}, std::array{c.x[i], c.y[i]});
   });
 }
+
+IRG_RENAMED(orient2d_batch, orient2d_all)
 
 }  // namespace irg::inline IRG_ABI

@@ -11,7 +11,16 @@ namespace irg {
 
 /// What the inversion finds: a plane; that the matrix is singular since the plane passes through the origin, or since
 /// the points span no plane; or that a number is NaN or infinite, or D zero.
-enum class [[nodiscard]] inversion_outcome { plane, through_origin, collinear, invalid };
+enum class [[nodiscard]] inversion_status {
+  ok,
+  through_origin,
+  collinear,
+  invalid,
+  plane [[deprecated("irg: plane is now ok")]] = ok
+};
+
+/// The old name of inversion_status.
+using inversion_outcome [[deprecated("irg: inversion_status is now inversion_status")]] = inversion_status;
 
 inline namespace IRG_ABI {
 
@@ -23,16 +32,16 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formula 4.3 in its consistent form
 template <HomogeneousPoint P>
   requires(size_of<P> == 4 && Real<scalar_of<P>>)
-[[nodiscard]] constexpr checked<plane<scalar_of<P>>, inversion_outcome> plane_by_inversion(
+[[nodiscard]] constexpr checked<plane<scalar_of<P>>, inversion_status> plane_by_inversion(
     const P& p1, const P& p2, const P& p3, scalar_of<P> d = scalar_of<P>(1)) noexcept {
   using T = scalar_of<P>;
-  if (d == T(0) || !is_finite(d)) return {{}, inversion_outcome::invalid};
+  if (d == T(0) || !is_finite(d)) return {{}, inversion_status::invalid};
   const auto minors = detail::homogeneous_plane(p1, p2, p3);
-  if (!minors) return {{}, inversion_outcome::invalid};
+  if (!minors) return {{}, inversion_status::invalid};
   const auto& m = *minors;
   if (sign_of(m[3]) == 0)
     return {{},
-            detail::is_zero(vec{m[0], m[1], m[2]}) ? inversion_outcome::collinear : inversion_outcome::through_origin};
+            detail::is_zero(vec{m[0], m[1], m[2]}) ? inversion_status::collinear : inversion_status::through_origin};
   const auto factor = [&] {
     if constexpr (Floating<T>) {
       const auto [significand, exponent] = decompose(widened(d));  // subnormals are no double-doubles
@@ -42,7 +51,7 @@ template <HomogeneousPoint P>
     }
   }();
   const auto coefficient = [&](std::size_t i) { return rounded_to<T>(m[i] * factor / m[3]); };
-  return {{coefficient(0), coefficient(1), coefficient(2), d}, inversion_outcome::plane};
+  return {{coefficient(0), coefficient(1), coefficient(2), d}, inversion_status::ok};
 }
 
 }  // namespace IRG_ABI

@@ -20,7 +20,7 @@ inline namespace IRG_ABI {
 /// exact   in integers (for fewer than 2^60 vertices) and rationals
 template <PlanePolygon P>
   requires(!Floating<scalar_of<polygon_point<P>>>)
-[[nodiscard]] constexpr auto twice_polygon_area(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto twice_signed_area(const P& polygon) noexcept {
   return detail::shoelace(polygon);
 }
 
@@ -157,6 +157,8 @@ template <PlanePolygon P>
   });
   return twice * T(0.5);
 }
+
+IRG_RENAMED(twice_polygon_area, twice_signed_area)
 
 }  // namespace IRG_ABI
 }  // namespace irg

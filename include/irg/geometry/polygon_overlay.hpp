@@ -25,11 +25,16 @@
 
 namespace irg {
 
-/// How polygon_overlay ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
+/// How polygon_boolean ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
 /// made new crossings again and again (never seen).
-enum class [[nodiscard]] polygon_clip_status { done, not_finite, unresolved };
+enum class [[nodiscard]] polygon_clip_status {
+  ok,
+  not_finite,
+  unresolved,
+  done [[deprecated("irg: done is now ok")]] = ok
+};
 
-/// What polygon_overlay did: of `pairs`, those beyond `compared` were skipped.
+/// What polygon_boolean did: of `pairs`, those beyond `compared` were skipped.
 /// shape   pieces are the edges at first, then what they are cut into; edges that run along each other from end to end
 ///         are one piece, or none where one takes the other back
 struct polygon_overlay_counts {
@@ -43,7 +48,7 @@ struct polygon_overlay_counts {
 /// The rings of a polygon: outer ones counter-clockwise, holes clockwise (y up).
 template <Floating T>
 struct clipped_rings {
-  polygon_clip_status status = polygon_clip_status::done;
+  polygon_clip_status status = polygon_clip_status::ok;
   std::vector<std::vector<point<T, 2>>> rings{};
   polygon_overlay_counts counts{};
 };
@@ -224,7 +229,7 @@ constexpr bool is_within_result(const int (&winding)[2], boolean_operation opera
   const bool a = inside(winding[0]), b = inside(winding[1]);
   switch (operation) {
     case boolean_operation::intersection: return a && b;
-    case boolean_operation::unite: return a || b;
+    case boolean_operation::union_: return a || b;
     case boolean_operation::difference: return a && !b;
     default: return a != b;
   }
@@ -322,7 +327,7 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
     if (on_left && !on_right) ways.push_back({pieces[k].p, pieces[k].q});
     if (on_right && !on_left) ways.push_back({pieces[k].q, pieces[k].p});
   }
-  return {polygon_clip_status::done, rings_of(ways), counts};
+  return {polygon_clip_status::ok, rings_of(ways), counts};
 }
 
 }  // namespace IRG_ABI
@@ -330,7 +335,7 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
 
 inline namespace IRG_ABI {
 
-/// The polygon that belongs to both a and b (intersection), to either (unite), to a but not b (difference), or to one
+/// The polygon that belongs to both a and b (intersection), to either (union), to a but not b (difference), or to one
 /// of them alone (symmetric_difference). A polygon is a ring or a list of rings, of any direction and in any order;
 /// vertices may repeat, rings may touch, overlap and cross themselves and each other: `rule` says what is inside.
 /// shape   floats, doubles, or integers of up to 32 bits, whose crossings are doubles
@@ -345,7 +350,7 @@ inline namespace IRG_ABI {
 template <PlanePolygon A, PlanePolygon B>
   requires OverlayScalar<scalar_of<polygon_point<A>>> &&
            std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
-[[nodiscard]] constexpr auto polygon_overlay(const A& a, const B& b,
+[[nodiscard]] constexpr auto polygon_boolean(const A& a, const B& b,
                                              boolean_operation operation = boolean_operation::intersection,
                                              fill_rule rule = fill_rule::even_odd) {
   using S = scalar_of<polygon_point<A>>;
@@ -360,6 +365,8 @@ template <PlanePolygon A, PlanePolygon B>
   if (!finite) return clipped_rings<T>{polygon_clip_status::not_finite, {}, {}};
   return detail::combine_pieces(pieces, operation, rule);
 }
+
+IRG_RENAMED(polygon_overlay, polygon_boolean)
 
 }  // namespace IRG_ABI
 }  // namespace irg

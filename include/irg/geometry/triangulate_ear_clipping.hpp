@@ -43,8 +43,8 @@ inline namespace IRG_ABI {
 /// exact   decisions are exact for all finite floats and all integers
 /// cost    linear for strictly convex rings, else O(n log n) and up to tests_per_vertex * n tests
 /// source  Meisters 1975
-template <PlaneRing R, class Emit>
-constexpr bool triangulate_ear_clipping(const R& ring, const Emit& sink, ear_clipping_memory<ring_scalar<R>>& memory,
+template <PlaneRing R, class Sink>
+constexpr bool triangulate_ear_clipping(const R& ring, Sink&& sink, ear_clipping_memory<ring_scalar<R>>& memory,
                                         ear_clipping_options options = {});
 
 /// The triangles of a ring, as above.
@@ -67,8 +67,8 @@ public:
         size_(static_cast<std::uint32_t>(memory.points.size())) {}
 
   // False, with nothing emitted, for a ring without area that turns both ways.
-  template <class Emit>
-  constexpr bool operator()(const Emit& sink) {
+  template <class Sink>
+  constexpr bool operator()(Sink& sink) {
     if (turns_one_way()) {
       for (std::uint32_t i = 2; i < size_; ++i) sink(0u, i - 1, i);
       return true;
@@ -123,8 +123,8 @@ private:
   }
 
   // Cuts off tips until a triangle is left; what no rule lets go is a fan.
-  template <class Emit>
-  constexpr void clip(const Emit& sink) {
+  template <class Sink>
+  constexpr void clip(Sink& sink) {
     link();
     std::uint32_t left = size_, any = 0;
     auto& queue = m_->queue;
@@ -187,8 +187,8 @@ private:
 
 namespace irg::inline IRG_ABI {
 
-template <PlaneRing R, class Emit>
-constexpr bool triangulate_ear_clipping(const R& ring, const Emit& sink, ear_clipping_memory<ring_scalar<R>>& memory,
+template <PlaneRing R, class Sink>
+constexpr bool triangulate_ear_clipping(const R& ring, Sink&& sink, ear_clipping_memory<ring_scalar<R>>& memory,
                                         ear_clipping_options options) {
   const std::size_t n = ring_size(ring);
   memory.points.clear();

@@ -20,15 +20,20 @@
 namespace irg {
 
 /// Whether a polygon could be cut into triangles.
-enum class triangulation_state {
-  complete,
+enum class triangulation_status {
+  ok,
   crossing,    // edges cross each other, or a ring crosses itself at a vertex
   not_finite,  // a coordinate is NaN or infinite
+  complete [[deprecated("irg: complete is now ok")]] = ok
 };
 
-/// Triangles as indices of vertices; no triangle unless the state is `complete`.
+/// The old name of triangulation_status.
+using triangulation_state [[deprecated("irg: triangulation_status is now triangulation_status")]] =
+    triangulation_status;
+
+/// Triangles as indices of vertices; no triangle unless the status is `ok`.
 struct triangulation {
-  triangulation_state state = triangulation_state::complete;
+  triangulation_status status = triangulation_status::ok;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
@@ -573,7 +578,7 @@ namespace irg::inline IRG_ABI {
 
 template <PlanePolygon P>
 [[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon) {
-  if (!irg::is_finite(polygon)) return {triangulation_state::not_finite, {}};
+  if (!irg::is_finite(polygon)) return {triangulation_status::not_finite, {}};
   triangulation result;
   detail::monotone_sweep<scalar_of<polygon_point<P>>> sweep{result.triangles};
   bool clockwise = false, first = true;
@@ -584,7 +589,7 @@ template <PlanePolygon P>
     return true;
   });
   if (!detail::sweep_upwards(sweep)) {
-    result.state = triangulation_state::crossing;
+    result.status = triangulation_status::crossing;
     result.triangles.clear();
   }
   if (clockwise)

@@ -12,7 +12,13 @@
 namespace irg {
 
 /// What to make of a and b.
-enum class boolean_operation { intersection, unite, difference, symmetric_difference };
+enum class boolean_operation {
+  intersection,
+  union_,
+  difference,
+  symmetric_difference,
+  unite [[deprecated("irg: unite is now union_")]] = union_
+};
 
 /// How two lines, two planes, or a line and a plane lie: `none` when one of them is none (equal points, a zero normal)
 /// or a number is NaN or infinite; `coincident` when they are the same or one contains the other; `skew` for lines of
@@ -38,8 +44,8 @@ template <Real T, int N>
 /// The smallest box around the segment.
 /// exact   no arithmetic
 template <class T, int N>
-[[nodiscard]] constexpr box<T, N> enclosing_box(const segment<T, N>& s) noexcept {
-  return enclosing_box(enclosing_box(box<T, N>{}, s.a), s.b);
+[[nodiscard]] constexpr box<T, N> bounding_box(const segment<T, N>& s) noexcept {
+  return bounding_box(bounding_box(box<T, N>{}, s.a), s.b);
 }
 
 /// The segment from b to a.

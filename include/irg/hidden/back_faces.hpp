@@ -56,7 +56,7 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 7.1; the same as the angle's form
 template <Plane P, Coordinates Q>
   requires requires(const P& face, const Q& eye) { side_of(face, eye); }
-[[nodiscard]] constexpr facing side_by_plane(const P& face, const Q& eye) noexcept {
+[[nodiscard]] constexpr facing facing_by_plane(const P& face, const Q& eye) noexcept {
   return static_cast<facing>(static_cast<int>(side_of(face, eye)));
 }
 
@@ -66,8 +66,9 @@ template <Plane P, Coordinates Q>
 /// exact   the sign of the cosine, for every finite float, double and integer
 /// source  Mihajlovic 2016, 7.1, whose text says that normals point inward; what it describes holds for outward ones
 template <Scalar T>
-[[nodiscard]] constexpr facing side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre, const point<T, 3>& eye,
-                                             normals_point direction = normals_point::outward) noexcept {
+[[nodiscard]] constexpr facing facing_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre,
+                                               const point<T, 3>& eye,
+                                               normals_point direction = normals_point::outward) noexcept {
   const point<T, 3> tip{normal.x, normal.y, normal.z};
   const int sign = order_along_line(point<T, 3>{}, tip, eye, centre);
   return static_cast<facing>(direction == normals_point::outward ? sign : -sign);
@@ -79,8 +80,8 @@ template <Scalar T>
 /// exact   as orientation_of: for every finite float, double and integer
 /// source  Mihajlovic 2016, 7.3, with the area in place of its edges
 template <PlaneRing R>
-[[nodiscard]] constexpr facing side_by_order(const R& projected,
-                                             orientation order = orientation::counter_clockwise) noexcept {
+[[nodiscard]] constexpr facing facing_by_order(const R& projected,
+                                               orientation order = orientation::counter_clockwise) noexcept {
   return static_cast<facing>(static_cast<int>(order) * static_cast<int>(orientation_of(projected)));
 }
 
@@ -91,13 +92,13 @@ template <PlaneRing R>
 /// exact   for every finite float and double, by Newell's normal, as side_of_polygon
 /// cost    as side_of_polygon
 template <SpaceMesh M>
-[[nodiscard]] constexpr facing side_of_face(const M& m, std::size_t f,
-                                            const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
+[[nodiscard]] constexpr facing facing_of(const M& m, std::size_t f,
+                                         const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
   return static_cast<facing>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
 }
 
 /// The faces of a mesh that are left when back faces are removed, in their order.
-/// shape   as side_of_face
+/// shape   as facing_of
 /// cost    linear; allocates the result
 template <SpaceMesh M>
 [[nodiscard]] constexpr std::vector<std::uint32_t> front_faces(const M& m,
@@ -105,9 +106,14 @@ template <SpaceMesh M>
                                                                edge_on_faces edge_on = edge_on_faces::hidden) {
   std::vector<std::uint32_t> left;
   for (std::size_t f = 0; f < mesh_face_count(m); ++f)
-    if (!is_hidden(side_of_face(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
+    if (!is_hidden(facing_of(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
   return left;
 }
+
+IRG_RENAMED(side_by_plane, facing_by_plane)
+IRG_RENAMED(side_by_angle, facing_by_angle)
+IRG_RENAMED(side_by_order, facing_by_order)
+IRG_RENAMED(side_of_face, facing_of)
 
 }  // namespace IRG_ABI
 }  // namespace irg

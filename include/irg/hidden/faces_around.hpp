@@ -85,7 +85,7 @@ template <Floating T, class Sink>
   requires std::invocable<Sink&, std::size_t, const std::vector<screen_face>&>
 constexpr void faces_around(const point<T, 3>& eye, const mesh<T>& m, const cube_options<T>& options, Sink&& sink) {
   IRG_EXPECTS(1 <= options.size && options.size <= 4096 && T(0) < options.near_distance);
-  mesh<T> triangles = triangulate(m);
+  mesh<T> triangles = triangulated(m);
   for (point<T, 3>& p : triangles.positions) p = {p.x - eye.x, p.y - eye.y, p.z - eye.z};
   std::vector<std::uint32_t> numbers;
   for (std::size_t f = 0; f < m.face_count(); ++f)

@@ -33,7 +33,12 @@ struct grid_edge_part {
 
 /// What a surface and an eye amount to. `not_a_grid`: fewer than two places each way, places that do not rise, numbers
 /// that are not finite, another number of heights, or more than 2^30 of them.
-enum class [[nodiscard]] grid_surface_status { drawn, not_a_grid, eye_on_surface };
+enum class [[nodiscard]] grid_surface_status {
+  ok,
+  not_a_grid,
+  eye_on_surface,
+  drawn [[deprecated("irg: drawn is now ok")]] = ok
+};
 
 /// What was done.
 struct grid_surface_counts {
@@ -236,7 +241,7 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
   });
   counts.steps = outer.steps() + inner.steps();
   counts.pieces = static_cast<std::int64_t>(outer.size() + inner.size());
-  return {counts, grid_surface_status::drawn};
+  return {counts, grid_surface_status::ok};
 }
 
 }  // namespace IRG_ABI

@@ -93,7 +93,7 @@ private:
   // front, -1 the back, 0 its edge.
   constexpr void add_faces(line_drawing& drawing) {
     const bool is_cut = mesh_.corners.size() == 3 * mesh_.face_count();
-    const mesh<T> cut = is_cut ? mesh<T>{} : triangulate(mesh_);
+    const mesh<T> cut = is_cut ? mesh<T>{} : triangulated(mesh_);
     const mesh<T>& triangles = is_cut ? mesh_ : cut;
     if (const std::size_t n = drawing.faces.size() + triangles.face_count(); n > drawing.faces.capacity())
       drawing.faces.reserve(greater(n, 2 * drawing.faces.capacity()));  // bodies are added one by one
@@ -159,7 +159,7 @@ private:
     const triangle_corners c = corners_of(triangles, t);
     const auto& at = vertices_.screen;
     return c.cut != 0 ? pieces_of(c, 0).double_area
-                      : signed_double_area(at[c.v[0]].position, at[c.v[1]].position, at[c.v[2]].position);
+                      : twice_signed_area(at[c.v[0]].position, at[c.v[1]].position, at[c.v[2]].position);
   }
   constexpr void add_triangle(line_drawing& drawing, const mesh<T>& triangles, std::size_t t) const {
     const triangle_corners c = corners_of(triangles, t);

@@ -186,7 +186,7 @@ constexpr bool edge_parts(const screen_face& a, const screen_face& b) noexcept {
     const subpixel &p = a.v[i].position, &q = a.v[(i + 1) % 3].position;
     bool outside = true;
     for (const screen_vertex& v : b.v) {
-      const std::int64_t side = signed_double_area(p, q, v.position);
+      const std::int64_t side = twice_signed_area(p, q, v.position);
       outside = outside && (a.coverage.flipped ? side >= 0 : side <= 0);
     }
     if (outside) return true;

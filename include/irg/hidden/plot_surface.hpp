@@ -99,7 +99,7 @@ struct plot_view {
 template <class Options>
 constexpr plot_view<Options> place_camera(const grid_surface& surface, const Options& options) noexcept {
   plot_view<Options> view{surface, options, box_of_surface(surface)};
-  const auto turn = sin_cos_degrees(options.azimuth), lift = sin_cos_degrees(options.elevation);
+  const auto turn = sin_cos_degrees(options.azimuth_degrees), lift = sin_cos_degrees(options.elevation_degrees);
   const double diagonal = sqrt(2 + product(options.tallness, options.tallness));
   const double away = product(options.distance, diagonal), level = product(away, lift.cosine);
   const point<double, 3> eye{0.5 - product(level, turn.sine), options.tallness / 2 + product(away, lift.sine),
@@ -344,14 +344,14 @@ template <class Options, class Plot>
   const auto is_positive = [](double v) { return v > 0x1p-20 && v < 0x1p20; };
   const bool usable = options.width > 0 && options.height > 0 && is_positive(options.distance) &&
                       is_positive(options.tallness) && is_positive(options.text_size) &&
-                      magnitude(options.azimuth) < 0x1p20 && magnitude(options.elevation) < 0x1p20;
+                      magnitude(options.azimuth_degrees) < 0x1p20 && magnitude(options.elevation_degrees) < 0x1p20;
   if (!usable || !detail::is_grid_with_gaps(surface)) return plot;
   auto view = detail::place_camera(surface, options);
   if (!detail::is_number(view.eye.x) || !detail::is_number(view.eye.y) || !detail::is_number(view.eye.z)) return plot;
   detail::fit_box(view);
   Plot out{options.width, options.height};
   detail::choose_method(view, out);
-  plot.status = grid_surface_status::drawn;
+  plot.status = grid_surface_status::ok;
   if (out.method == surface_method::perimeter)
     plot.status = visible_grid_edges(surface, view.eye, [&](const grid_edge_part& p) {
                     detail::add_edge_part(view, p, out);
@@ -360,7 +360,7 @@ template <class Options, class Plot>
     detail::add_horizon(view, out);
   else
     detail::add_facets(view, out);
-  if (plot.status != grid_surface_status::drawn) return plot;
+  if (plot.status != grid_surface_status::ok) return plot;
   detail::add_axes(view, out);
   plot.value = std::move(out);
   return plot;

@@ -25,12 +25,12 @@ enum class surface_method {
 };
 
 /// How a plot looks.
-/// shape   azimuth and elevation in degrees: where the eye stands, at 0 before the least z, turning towards the least x
+/// shape   where the eye stands: azimuth_degrees at 0 before the least z, turning towards the least x
 ///         (positive), above (positive); distance in diagonals of the box, in which x and z are as long as each other
 ///         and heights `tallness` of that
 struct surface_plot_options {
   int width = 640, height = 480;
-  double azimuth = 35, elevation = 25, distance = 2.5, tallness = 0.6;
+  double azimuth_degrees = 35, elevation_degrees = 25, distance = 2.5, tallness = 0.6;
   surface_style style = surface_style::lines;
   plot_text x{"x"}, y{"y"}, z{"z"};  // beside the axes; y is the height
   double text_size = 14;

@@ -36,7 +36,7 @@ template <Floating T = double>
 /// One mesh of several bodies; each is a part, whose object is the body's name.
 /// needs   fewer than 2^32 points and corners in all
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> mesh_of_bodies(const std::vector<stored_body<T>>& bodies) {
+[[nodiscard]] constexpr mesh<T> to_mesh(const std::vector<stored_body<T>>& bodies) {
   mesh<T> all;
   for (const stored_body<T>& b : bodies) {
     const auto points = static_cast<std::uint32_t>(all.positions.size());
@@ -381,5 +381,7 @@ template <Floating T>
   detail::append_text(out, "</bodies>\n");
   return out;
 }
+
+IRG_RENAMED(mesh_of_bodies, to_mesh)
 
 }  // namespace irg::inline IRG_ABI

@@ -29,18 +29,27 @@ namespace irg::inline IRG_ABI {
 /// gives   one sentence when the file does not exist, may not be opened, is a directory, cannot be read, is empty or
 ///         holds more than 4 GiB; line and column are 0
 /// cost    twice the file's size in memory while it is read
-[[nodiscard]] inline result<std::string> read_file(const std::string& path);
+[[nodiscard]] inline result<std::string> load_file(const std::string& path);
 
-/// Writes a whole file; absent when that succeeded, else the reason, and then the path is as it was before.
+/// Writes a whole file: true when that succeeded, else the reason, and then the path is as it was before.
 /// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and
 ///         is removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither
 ///         file nor directory, such as a pipe or /dev/null, is written to directly
-[[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes);
+[[nodiscard]] inline result<void> save_file(const std::string& path, std::string_view bytes);
 
 /// The same for bytes that are no text.
-[[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path,
-                                                                      std::span<const std::uint8_t> bytes) {
-  return write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+[[nodiscard]] inline result<void> save_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+  return save_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+IRG_RENAMED(read_file, load_file)
+
+/// The old form of save_file: the reason of a failure, where save_file is true when the file was written.
+template <class Bytes>
+[[nodiscard, deprecated("irg: use save_file, which is true when the file was written")]] std::optional<parse_error>
+write_file_atomically(const std::string& path, const Bytes& bytes) {
+  const result<void> saved = save_file(path, bytes);
+  return saved ? std::nullopt : std::optional(saved.error());
 }
 
 }  // namespace irg::inline IRG_ABI
@@ -105,7 +114,7 @@ inline bool replace_file(const char* from, const char* to) noexcept {
 
 namespace irg::inline IRG_ABI {
 
-[[nodiscard]] inline result<std::string> read_file(const std::string& path) {
+[[nodiscard]] inline result<std::string> load_file(const std::string& path) {
   if (detail::kind_of_file(path.c_str()) == detail::file_kind::directory)
     return parse_error{0, 0, "path is a directory, not a file"};
   errno = 0;
@@ -126,14 +135,14 @@ namespace irg::inline IRG_ABI {
   return bytes;
 }
 
-[[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes) {
+[[nodiscard]] inline result<void> save_file(const std::string& path, std::string_view bytes) {
   const detail::file_kind kind = detail::kind_of_file(path.c_str());
   if (kind == detail::file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
   if (kind == detail::file_kind::other) {
     std::FILE* const device = std::fopen(path.c_str(), "wb");
     if (device == nullptr) return detail::open_error(errno, "file does not exist", "file cannot be opened");
     if (!detail::write_and_close(device, bytes)) return parse_error{0, 0, "not all bytes could be written"};
-    return std::nullopt;
+    return {};
   }
   const std::string target = detail::without_links(path);
   std::string beside;
@@ -145,7 +154,7 @@ namespace irg::inline IRG_ABI {
   }
   if (file == nullptr) return detail::open_error(errno, "folder of the file does not exist", "file cannot be created");
   const bool written = detail::write_and_close(file, bytes);
-  if (written && detail::replace_file(beside.c_str(), target.c_str())) return std::nullopt;
+  if (written && detail::replace_file(beside.c_str(), target.c_str())) return {};
   std::remove(beside.c_str());
   return parse_error{0, 0, written ? "file cannot be replaced" : "not all bytes could be written"};
 }

@@ -39,7 +39,7 @@ template <class Map = grid_text>
 /// The text of a map and its units, which read_grid reads back.
 /// needs   a map with cells
 template <class Text = std::string>
-[[nodiscard]] constexpr Text write_grid(const walled_grid& grid, const std::vector<cell3>& units = {});
+[[nodiscard]] constexpr Text encode_grid(const walled_grid& grid, const std::vector<cell3>& units = {});
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -228,7 +228,7 @@ template <class Map>
 }
 
 template <class Text>
-[[nodiscard]] constexpr Text write_grid(const walled_grid& grid, const std::vector<cell3>& units) {
+[[nodiscard]] constexpr Text encode_grid(const walled_grid& grid, const std::vector<cell3>& units) {
   const grid_extent e = grid.extent();
   Text out;
   detail::append_cell(out, {e.width, e.height, e.depth});
@@ -258,5 +258,7 @@ template <class Text>
         }
   return out;
 }
+
+IRG_RENAMED(write_grid, encode_grid)
 
 }  // namespace irg::inline IRG_ABI

@@ -58,7 +58,7 @@ constexpr result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format forma
     case mesh_format::body_xml: {
       const auto bodies = read_body_xml<T>(bytes);
       if (!bodies) return bodies.error();
-      return mesh_of_bodies(*bodies);
+      return to_mesh(*bodies);
     }
     case mesh_format::obj: break;
   }
@@ -102,11 +102,11 @@ template <Floating T = double>
 }
 
 /// The mesh in a file, whichever format it is. No other file is opened, whatever this one names.
-/// gives   the error of read_file or of a format's reader, that of its name's ending where it has one
+/// gives   the error of load_file or of a format's reader, that of its name's ending where it has one
 /// cost    the file's size in memory beside what the reader takes
 template <Floating T = double>
 result<mesh<T>> load_mesh(const std::string& path) {
-  const auto bytes = read_file(path);
+  const auto bytes = load_file(path);
   if (!bytes) return bytes.error();
   const std::string_view text(*bytes);
   const std::optional<mesh_format> named = mesh_format_of_name(path);
@@ -114,16 +114,16 @@ result<mesh<T>> load_mesh(const std::string& path) {
 }
 
 /// The materials that an OBJ file's libraries hold; only libraries in the file's own folder are opened.
-/// gives   the error of read_file or read_mtl; an error, and nothing opened, for a name that leads elsewhere, which
+/// gives   the error of load_file or read_mtl; an error, and nothing opened, for a name that leads elsewhere, which
 ///         ./NAME does not
 template <Floating T = double>
 result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
-  const auto text = read_file(path);
+  const auto text = load_file(path);
   if (!text) return text.error();
   const std::size_t slash = path.find_last_of("/\\");
   const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
   return read_materials<T>(std::string_view(*text),
-                           [&](std::string_view name) { return read_file(folder + std::string(name)); });
+                           [&](std::string_view name) { return load_file(folder + std::string(name)); });
 }
 
 /// The bytes of a file that describes the mesh in the given format.
@@ -140,16 +140,24 @@ template <Floating T>
   return encode_body_xml(std::vector{store_body<T>("body", m)});
 }
 
-/// Writes a mesh file in the format that its name's ending asks for; absent when that succeeded, else the reason, and
-/// then the path is as it was before.
+/// Writes a mesh file in the format that its name's ending asks for: true when that succeeded, else the reason, and then
+/// the path is as it was before.
 template <Floating T>
-[[nodiscard]] std::optional<parse_error> write_mesh(const std::string& path, const mesh<T>& m,
-                                                    mesh_encoding encoding = mesh_encoding::text) {
+[[nodiscard]] result<void> save_mesh(const std::string& path, const mesh<T>& m,
+                                     mesh_encoding encoding = mesh_encoding::text) {
   const std::optional<mesh_format> format = mesh_format_of_name(path);
   if (!format) return parse_error{0, 0, "body's file name must end in .obj, .stl, .ply, .off or .xml"};
   const auto bytes = encode_mesh(m, *format, encoding);
   if (!bytes) return parse_error{0, 0, bytes.error().message};
-  return write_file_atomically(path, std::span<const std::uint8_t>(*bytes));
+  return save_file(path, std::span<const std::uint8_t>(*bytes));
+}
+
+/// The old form of save_mesh: the reason of a failure, where save_mesh is true when the file was written.
+template <Floating T>
+[[nodiscard, deprecated("irg: use save_mesh, which is true when the file was written")]] std::optional<parse_error>
+write_mesh(const std::string& path, const mesh<T>& m, mesh_encoding encoding = mesh_encoding::text) {
+  const result<void> saved = save_mesh(path, m, encoding);
+  return saved ? std::nullopt : std::optional(saved.error());
 }
 
 }  // namespace IRG_ABI

@@ -155,7 +155,7 @@ constexpr Text without_own_folder(Text name) noexcept {
 inline namespace IRG_ABI {
 
 /// The materials of all libraries that an OBJ text names, one behind the other, each where it is named first.
-/// needs   open(name): a result whose value is the library's text, as read_file gives it; the name is without the ./ or
+/// needs   open(name): a result whose value is the library's text, as load_file gives it; the name is without the ./ or
 ///         .\ that may stand before it
 /// gives   the first error of open or read_mtl; an error, and no call of open, for a name that is then not
 ///         is_plain_file_name

@@ -38,7 +38,7 @@ inline namespace IRG_ABI {
 /// source  PNG; RFC 1950; RFC 1951
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
 [[nodiscard]] constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options = {});
-/// The same from bytes as read_file gives them, which are copied.
+/// The same from bytes as load_file gives them, which are copied.
 template <std::convertible_to<std::string_view> Bytes>
 [[nodiscard]] constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options = {});
 

@@ -40,7 +40,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& ra
 /// source  Netpbm, ppm(5) and pgm(5)
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
 [[nodiscard]] constexpr result<image<rgb8>> read_ppm(const Bytes& bytes);
-/// The same from bytes as read_file gives them.
+/// The same from bytes as load_file gives them.
 template <std::convertible_to<std::string_view> Bytes>
 [[nodiscard]] constexpr result<image<rgb8>> read_ppm(const Bytes& bytes);
 
@@ -75,7 +75,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_netpbm(char kin
   return file;
 }
 
-/// Reads a netpbm file from bytes of either type: char (what read_file gives) or std::uint8_t.
+/// Reads a netpbm file from bytes of either type: char (what load_file gives) or std::uint8_t.
 template <class Byte>
 class netpbm_reader {
 public:
@@ -224,7 +224,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_ppm(const R& ra
 
 template <EncodableRaster R>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& raster) {
-  return detail::encode_netpbm('5', 1, raster, [](const rgba8& p, std::uint8_t* out) { *out = gray_level(p); });
+  return detail::encode_netpbm('5', 1, raster, [](const rgba8& p, std::uint8_t* out) { *out = grey_level(p); });
 }
 
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>

@@ -273,7 +273,7 @@ template <Floating T>
     if (!reader.text()) return detail::error_at(text, reader.cursor.place, reader.cursor.message);
     read = std::move(reader.read);
   }
-  if (options.positions == stl_positions::shared) read = merge_positions(std::move(read));
+  if (options.positions == stl_positions::shared) read = with_merged_positions(std::move(read));
   return read;
 }
 
@@ -283,7 +283,7 @@ template <Floating T>
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   if (encoding == mesh_encoding::big_endian) return encode_error{"binary STL is little endian, not big endian"};
   if (m.corners.size() - 2 * m.face_count() > 0xffffffffu / 3) return encode_error{"mesh has too many triangles"};
-  const mesh<T> triangles = triangulate(m);
+  const mesh<T> triangles = triangulated(m);
   std::vector<std::uint8_t> out;
   if (encoding != mesh_encoding::text) {
     if (const auto refused = detail::write_binary_stl(out, triangles)) return *refused;

@@ -360,4 +360,25 @@ template <Floating T>
   return narrowed<T>(with_sign(detail::cbrt_of(size), widened(x)));
 }
 
+// Plain forms, for the reason given in trigonometry.hpp.
+[[nodiscard]] constexpr double exp(double x) noexcept { return exp<double>(x); }
+[[nodiscard]] constexpr float exp(float x) noexcept { return exp<float>(x); }
+[[nodiscard]] constexpr double exp2(double x) noexcept { return exp2<double>(x); }
+[[nodiscard]] constexpr float exp2(float x) noexcept { return exp2<float>(x); }
+[[nodiscard]] constexpr double log(double x) noexcept { return log<double>(x); }
+[[nodiscard]] constexpr float log(float x) noexcept { return log<float>(x); }
+[[nodiscard]] constexpr double log2(double x) noexcept { return log2<double>(x); }
+[[nodiscard]] constexpr float log2(float x) noexcept { return log2<float>(x); }
+[[nodiscard]] constexpr double log10(double x) noexcept { return log10<double>(x); }
+[[nodiscard]] constexpr float log10(float x) noexcept { return log10<float>(x); }
+[[nodiscard]] constexpr double cbrt(double x) noexcept { return cbrt<double>(x); }
+[[nodiscard]] constexpr float cbrt(float x) noexcept { return cbrt<float>(x); }
+[[nodiscard]] constexpr double pow(double x, double y) noexcept { return pow<double>(x, y); }
+[[nodiscard]] constexpr float pow(float x, float y) noexcept { return pow<float>(x, y); }
+template <Floating T, class Y>
+  requires(std::is_arithmetic_v<Y> && !std::is_same_v<T, Y>)
+[[nodiscard]] constexpr T pow(T x, Y y) noexcept {
+  return pow<T>(x, static_cast<T>(y));
+}
+
 }  // namespace irg::inline IRG_ABI

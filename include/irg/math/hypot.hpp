@@ -133,4 +133,8 @@ template <Floating T>
   return detail::hypot_of(x, y);
 }
 
+// Plain forms, for the reason given in trigonometry.hpp.
+[[nodiscard]] constexpr double hypot(double x, double y) noexcept { return hypot<double>(x, y); }
+[[nodiscard]] constexpr float hypot(float x, float y) noexcept { return hypot<float>(x, y); }
+
 }  // namespace irg::inline IRG_ABI

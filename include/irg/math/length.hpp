@@ -53,11 +53,11 @@ template <Vector V>
 ///         whole range
 template <Vector V>
   requires Floating<scalar_of<V>>
-[[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept;
+[[nodiscard]] constexpr std::optional<V> try_normalized(const V& v) noexcept;
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
 /// gives   the zero vector when v is zero or has a coordinate that is NaN or infinite; never NaN
-/// exact   as try_normalize
+/// exact   as try_normalized
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] IRG_INLINE constexpr V normalized(const V& v) noexcept;
@@ -118,7 +118,7 @@ IRG_REFUSES_POINTS(length_squared);
 IRG_REFUSES_POINTS(normalized);
 IRG_REFUSES_POINTS(normalized_fast);
 IRG_REFUSES_POINTS(scaled_near_one);
-IRG_REFUSES_POINTS(try_normalize);
+IRG_REFUSES_POINTS(try_normalized);
 
 }  // namespace irg::inline IRG_ABI
 
@@ -199,13 +199,13 @@ template <Vector V>
 
 template <Vector V>
   requires Floating<scalar_of<V>>
-[[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
+[[nodiscard]] constexpr std::optional<V> try_normalized(const V& v) noexcept {
   if constexpr (std::semiregular<V>) {
     V unit = v;
     if (!detail::put_direction(v, unit)) return std::nullopt;
     return unit;
   } else {
-    const auto unit = try_normalize(as_assignable(v));
+    const auto unit = try_normalized(as_assignable(v));
     return unit ? std::optional<V>(from_assignable<V>(*unit)) : std::nullopt;
   }
 }
@@ -222,5 +222,7 @@ template <Vector V>
     return from_assignable<V>(normalized(as_assignable(v)));
   }
 }
+
+IRG_RENAMED(try_normalize, try_normalized)
 
 }  // namespace irg::inline IRG_ABI

@@ -332,5 +332,22 @@ template <Floating T>
   return detail::nearest_result<detail::symmetry::none>(x, detail::angle_of_cosine(wide), detail::hard_arccosines);
 }
 
+// Plain forms of the functions that the C library has in the global namespace. Beside the templates alone, a bare
+// sin(x) after `using namespace irg` would be the C library's, without a word and with other bits; so it is ambiguous.
+[[nodiscard]] constexpr double sin(double x) noexcept { return sin<double>(x); }
+[[nodiscard]] constexpr float sin(float x) noexcept { return sin<float>(x); }
+[[nodiscard]] constexpr double cos(double x) noexcept { return cos<double>(x); }
+[[nodiscard]] constexpr float cos(float x) noexcept { return cos<float>(x); }
+[[nodiscard]] constexpr double tan(double x) noexcept { return tan<double>(x); }
+[[nodiscard]] constexpr float tan(float x) noexcept { return tan<float>(x); }
+[[nodiscard]] constexpr double asin(double x) noexcept { return asin<double>(x); }
+[[nodiscard]] constexpr float asin(float x) noexcept { return asin<float>(x); }
+[[nodiscard]] constexpr double acos(double x) noexcept { return acos<double>(x); }
+[[nodiscard]] constexpr float acos(float x) noexcept { return acos<float>(x); }
+[[nodiscard]] constexpr double atan(double x) noexcept { return atan<double>(x); }
+[[nodiscard]] constexpr float atan(float x) noexcept { return atan<float>(x); }
+[[nodiscard]] constexpr double atan2(double y, double x) noexcept { return atan2<double>(y, x); }
+[[nodiscard]] constexpr float atan2(float y, float x) noexcept { return atan2<float>(y, x); }
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -113,7 +113,7 @@ template <PolygonRing R>
 template <SpaceMesh M>
 [[nodiscard]] constexpr std::optional<mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
   using V = mesh_normal<M>;
-  const auto unit = try_normalize(detail::newell_sum(detail::edges_of_face(m, f)));
+  const auto unit = try_normalized(detail::newell_sum(detail::edges_of_face(m, f)));
   if (!unit) return std::nullopt;
   return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>((*unit)[i]); });
 }

@@ -16,10 +16,11 @@ namespace irg {
 
 /// What the extents of a body allow.
 enum class [[nodiscard]] fit_status {
-  fitted,          // the longest edge becomes 2
+  ok,          // the longest edge becomes 2
   empty,           // no positions: nothing to do
   all_sizes_zero,  // all positions coincide, or are so close that the scale would overflow: moved, not scaled
   not_finite,      // a coordinate is NaN or infinite: left alone
+  fitted [[deprecated("irg: fitted is now ok")]] = ok
 };
 
 /// The map p -> (p - centre) * scale, and how it came about.
@@ -55,8 +56,7 @@ template <Floating T>
     half_size = greater(half_size, extents.high[i] / 2 - extents.low[i] / 2);
   }
   const bool has_scale = half_size > 1 / (std::numeric_limits<T>::max)();
-  return {centre(extents), has_scale ? 1 / half_size : T(1),
-          has_scale ? fit_status::fitted : fit_status::all_sizes_zero};
+  return {centre(extents), has_scale ? 1 / half_size : T(1), has_scale ? fit_status::ok : fit_status::all_sizes_zero};
 }
 
 /// The map that fits a mesh's positions, used by faces or not, into [-1, 1]^3.
@@ -69,7 +69,7 @@ template <Mesh M>
   for (std::size_t v = 0; v < mesh_traits<M>::vertex_count(m); ++v)
     for (int i = 0; i < 3; ++i)
       if (!is_finite(coordinate(mesh_traits<M>::position(m, v), i))) return {{}, 1, fit_status::not_finite};
-  return fit_of(enclosing_box(m));
+  return fit_of(bounding_box(m));
 }
 
 /// Where a fit takes a point.
@@ -95,7 +95,7 @@ template <Floating T>
 template <Floating T>
 constexpr fit_status fit_mesh(mesh<T>& m) noexcept {
   const fit<T> f = fit_of(m);
-  if (f.status == fit_status::fitted || f.status == fit_status::all_sizes_zero)
+  if (f.status == fit_status::ok || f.status == fit_status::all_sizes_zero)
     for (point<T, 3>& p : m.positions) p = fitted(p, f);
   return f.status;
 }
@@ -111,7 +111,7 @@ constexpr std::vector<fit_status> fit_each(std::span<mesh<T>> meshes, std::span<
   std::vector<fit_status> statuses(meshes.size(), fit_status::empty);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     statuses[k] = fit_mesh(meshes[k]);
-    if (statuses[k] == fit_status::fitted || statuses[k] == fit_status::all_sizes_zero)
+    if (statuses[k] == fit_status::ok || statuses[k] == fit_status::all_sizes_zero)
       for (point<T, 3>& p : meshes[k].positions) p = placed(p, placements[k]);
   }
   return statuses;

@@ -39,7 +39,7 @@ inline namespace IRG_ABI {
 /// exact   positions and attributes are copied; rings are cut as triangulate_monotone does
 /// cost    linear, but for the faces with rings, which cost as triangulate_monotone
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b);
+[[nodiscard]] constexpr mesh<T> to_mesh(const half_edge_mesh<T>& b);
 
 /// The shells of a boundary representation: faces that are joined over edges, and over the rings of faces.
 /// shape   numbered from 0 by their lowest face
@@ -154,7 +154,7 @@ constexpr void append_face(mesh<T>& m, const half_edge_mesh<T>& b, std::uint32_t
 inline namespace IRG_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
+[[nodiscard]] constexpr mesh<T> to_mesh(const half_edge_mesh<T>& b) {
   mesh<T> m;
   m.normals = b.normals;
   m.texcoords = b.texcoords;
@@ -190,6 +190,8 @@ template <Floating T>
   }
   return m;
 }
+
+IRG_RENAMED(from_half_edges, to_mesh)
 
 }  // namespace IRG_ABI
 }  // namespace irg

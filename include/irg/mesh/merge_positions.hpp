@@ -20,7 +20,7 @@ namespace irg::inline IRG_ABI {
 /// exact   always; no two positions of the result are equal
 /// cost    O(n log n) for n positions, whatever they are; 16 (float) or 32 bytes for each
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> merge_positions(mesh<T> m) {
+[[nodiscard]] constexpr mesh<T> with_merged_positions(mesh<T> m) {
   std::vector<std::uint32_t> to = detail::first_equal_vectors<T, 3>(m.positions);
   std::uint32_t kept = 0;
   for (std::uint32_t v = 0; v < to.size(); ++v) {
@@ -35,5 +35,7 @@ template <Floating T>
   for (mesh_corner& c : m.corners) c.position = to[c.position];
   return m;
 }
+
+IRG_RENAMED(merge_positions, with_merged_positions)
 
 }  // namespace irg::inline IRG_ABI

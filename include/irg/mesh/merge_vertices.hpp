@@ -35,7 +35,7 @@ inline namespace IRG_ABI {
 /// cost    O(n log n), whatever the mesh
 template <Floating T>
 [[nodiscard]] constexpr merged_vertices merge_vertices(const mesh<T>& m) {
-  const mesh<T> triangles = triangulate(m);
+  const mesh<T> triangles = triangulated(m);
   const auto positions = detail::first_equal_vectors<T, 3>(m.positions),
              normals = detail::first_equal_vectors<T, 3>(m.normals),
              texcoords = detail::first_equal_vectors<T, 2>(m.texcoords);
@@ -76,7 +76,7 @@ template <Floating T>
 /// cost    as triangulate
 template <Scalar T>
 [[nodiscard]] constexpr std::vector<triangle_indices> list_triangles(const mesh<T>& m) {
-  const mesh<T> triangles = triangulate(m);
+  const mesh<T> triangles = triangulated(m);
   std::vector<triangle_indices> list;
   list.reserve(triangles.face_count());
   for (std::size_t i = 0; i + 2 < triangles.corners.size(); i += 3)

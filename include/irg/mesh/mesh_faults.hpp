@@ -24,7 +24,7 @@ enum class mesh_fault_kind {
   faces_turned_apart,  ///< a, b = positions, c, d = the two faces, which run along the edge in the same direction
   vertex_of_many_fans,  ///< a = position, b = the number of fans that its faces make
   position_unused,  ///< a = position: no face has it
-  positions_equal,  ///< a, b = positions in the same place: merge_positions() makes one of them
+  positions_equal,  ///< a, b = positions in the same place: with_merged_positions() makes one of them
 };
 
 /// One fault and its place.

@@ -56,7 +56,7 @@ constexpr void assign_vertex_normals(mesh<T>& m, normal_weight weight = normal_w
 namespace detail::inline IRG_ABI {
 
 // Unit vectors by the block, in loops that compilers turn into lanes: bit for bit what newell_sum of a triangle's edges
-// and try_normalize give one by one, but for the signs of zeros, which sums that begin at 0 do not keep.
+// and try_normalized give one by one, but for the signs of zeros, which sums that begin at 0 do not keep.
 
 /// Vectors of doubles, one coordinate after the other.
 struct unit_block {
@@ -183,7 +183,7 @@ template <class M, class F>
 constexpr void for_weighted_corners(const M& m, std::size_t face, normal_weight weight, double scale, const F& f) {
   const auto edges = edges_of_face(m, face);
   const vec<double, 3> sum = newell_sum(edges);
-  const auto unit = try_normalize(sum);
+  const auto unit = try_normalized(sum);
   if (!unit) return;
   double share = 1;
   if (weight == normal_weight::area) {

@@ -14,8 +14,9 @@ namespace irg {
 
 /// What orient_faces made of a mesh.
 enum class [[nodiscard]] orient_status {
-  done,
+  ok,
   one_sided,  ///< a piece of the surface has one side only, as a Moebius strip: its faces are as they were
+  done [[deprecated("irg: done is now ok")]] = ok
 };
 
 inline namespace IRG_ABI {
@@ -62,7 +63,7 @@ constexpr orient_status orient_faces(mesh<T>& m) {
   enum : std::uint8_t { unseen, kept, turned };
   std::vector<std::uint8_t> state(m.face_count(), unseen);
   std::vector<std::uint32_t> piece;
-  orient_status status = orient_status::done;
+  orient_status status = orient_status::ok;
   for (std::uint32_t f = 0; f < m.face_count(); ++f) {
     if (state[f] != unseen) continue;
     piece.assign(1, f);

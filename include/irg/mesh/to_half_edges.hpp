@@ -15,11 +15,12 @@ namespace irg {
 
 /// How a mesh became half-edges.
 enum class [[nodiscard]] half_edge_status {
-  done,
+  ok,
   corner_repeated,  ///< a face names one vertex twice in a row
   edge_of_many_faces,  ///< three or more faces have an edge in common, or a face runs along an edge twice
   faces_turned_apart,  ///< two faces run along their common edge in the same direction
   vertex_of_many_fans,  ///< the faces round a vertex are no single fan
+  done [[deprecated("irg: done is now ok")]] = ok
 };
 
 namespace detail::inline IRG_ABI {
@@ -31,7 +32,7 @@ template <Scalar T>
 class half_edge_builder {
 public:
   half_edge_mesh<T> made;
-  half_edge_status status = half_edge_status::done;
+  half_edge_status status = half_edge_status::ok;
 
   constexpr explicit half_edge_builder(const mesh<T>& m) {
     made.positions = m.positions;
@@ -56,7 +57,7 @@ public:
         f = half_edge::none;  // 0 comes next
         continue;
       }
-      if (status != half_edge_status::done) return;
+      if (status != half_edge_status::ok) return;
       if (has_attributes) add_attributes(corners, n, f);
     }
     if (has_attributes) made.attributes.resize(made.half_edges.size(), half_edge_attributes{});
@@ -72,7 +73,7 @@ private:
     const std::uint32_t last = half_edge_along(corners[n - 1].position, corners[0].position, f);
     std::uint32_t before = last, first = last;
     for (std::uint32_t k = 0; k + 1 < n; ++k) {
-      if (status != half_edge_status::done || is_slow()) return;
+      if (status != half_edge_status::ok || is_slow()) return;
       const std::uint32_t h = half_edge_along(corners[k].position, corners[k + 1].position, f);
       if (k == 0) first = h;
       made.half_edges[h].previous = before;
@@ -155,17 +156,17 @@ inline namespace IRG_ABI {
 ///         texture coordinates and parts are kept
 /// needs   a mesh in which validate() finds no defect, of less than 2^31 corners
 /// gives   an empty mesh and the reason when it is no surface of faces that run alike. list_faults() tells every place
-/// exact   always: positions are not looked at. merge_positions() comes first where equal ones are one vertex
+/// exact   always: positions are not looked at. with_merged_positions() comes first where equal ones are one vertex
 /// cost    linear for surfaces of bounded genus, O(n^1.5) for any mesh; 16 bytes for each half-edge and for each face
 /// source  Weiler 1985; Mantyla 1988; Chiba and Nishizeki 1985 (the vertex with fewer edges)
 template <Scalar T>
 [[nodiscard]] constexpr checked<half_edge_mesh<T>, half_edge_status> to_half_edges(const mesh<T>& m) {
   detail::half_edge_builder<T> builder(m);
-  if (builder.status != half_edge_status::done) return {{}, builder.status};
+  if (builder.status != half_edge_status::ok) return {{}, builder.status};
   half_edge_mesh<T>& b = builder.made;
   b.normals = m.normals, b.texcoords = m.texcoords, b.parts = m.parts;
   for (std::uint32_t i = 0; i < m.parts.size(); ++i) b.face_parts.insert(b.face_parts.end(), m.parts[i].face_count, i);
-  return {std::move(b), half_edge_status::done};
+  return {std::move(b), half_edge_status::ok};
 }
 
 }  // namespace IRG_ABI

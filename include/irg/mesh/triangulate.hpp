@@ -34,7 +34,7 @@ inline namespace IRG_ABI {
 /// cost    linear for strictly convex faces, else O(n log n) and up to tests_per_corner * n tests
 /// source  Meisters 1975
 template <Scalar T>
-[[nodiscard]] constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options = {});
+[[nodiscard]] constexpr mesh<T> triangulated(mesh<T> m, triangulate_options options = {});
 
 }  // namespace IRG_ABI
 
@@ -59,8 +59,8 @@ class face_clipper {
 public:
   constexpr explicit face_clipper(std::size_t tests_per_corner) : options_{tests_per_corner} {}
 
-  template <class Emit>
-  constexpr void operator()(const mesh<T>& m, std::size_t face, const Emit& sink) {
+  template <class Sink>
+  constexpr void operator()(const mesh<T>& m, std::size_t face, Sink&& sink) {
     const face_ring<T> ring{&m, face};
     const auto n = static_cast<std::uint32_t>(ring.size());
     if (n == 3) return sink(0u, 1u, 2u);
@@ -74,8 +74,8 @@ private:
   ear_clipping_options options_;
   ear_clipping_memory<T> memory_;
 
-  template <class Emit>
-  constexpr bool clip(const face_ring<T>& ring, int axis, const Emit& sink) {
+  template <class Sink>
+  constexpr bool clip(const face_ring<T>& ring, int axis, Sink&& sink) {
     // A position that is NaN or infinite leaves nothing to decide: such faces are cut into a fan.
     const flat_ring<face_ring<T>> flat(ring, axis);
     return is_finite(flat) && triangulate_ear_clipping(flat, sink, memory_, options_);
@@ -87,7 +87,7 @@ private:
 inline namespace IRG_ABI {
 
 template <Scalar T>
-[[nodiscard]] constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options) {
+[[nodiscard]] constexpr mesh<T> triangulated(mesh<T> m, triangulate_options options) {
   const std::size_t triangles = m.corners.size() - 2 * m.face_count();
   IRG_EXPECTS(triangles <= 0xffffffffu / 3);
   if (triangles == m.face_count()) return m;
@@ -119,6 +119,8 @@ template <Scalar T>
   m.face_starts = std::move(face_starts);
   return m;
 }
+
+IRG_RENAMED(triangulate, triangulated)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw_polyline: straight lines from vertex to vertex, each shared vertex painted once.
+// draw_polyline, draw_polygon: straight lines from vertex to vertex, each shared vertex painted once.
 #pragma once
 
 #include <irg/raster/draw_line.hpp>
@@ -40,6 +40,15 @@ constexpr void draw_polyline(R& raster, const Vertices& vertices, const Paint& p
     draw_line(raster, from, first, paint, half_open);
   else
     draw_line(raster, from, from, paint);
+}
+
+/// Paints the pixels of a polygon's outline: the lines of a closed polyline.
+/// gives   as draw_polyline
+/// exact   as draw_polyline
+template <WritableRaster R, CellSequence Vertices, PaintFor<R> Paint = pixel_of<R>>
+constexpr void draw_polygon(R& raster, const Vertices& vertices, const Paint& paint,
+                            line_ties ties = line_ties::start_side) {
+  draw_polyline(raster, vertices, paint, polyline_shape::closed, ties);
 }
 
 }  // namespace IRG_ABI

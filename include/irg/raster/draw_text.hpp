@@ -153,7 +153,7 @@ namespace irg::inline IRG_ABI {
 template <class Sink>
   requires requires(Sink& sink, std::span<const point<double, 2>> points) { sink(points); }
 constexpr bool text_strokes(std::string_view text, const point<double, 2>& at, const text_style& style, Sink&& sink) {
-  const auto turn = sin_cos_degrees(style.turn);
+  const auto turn = sin_cos_degrees(style.clockwise_degrees);
   if (!detail::is_text_size(style.size) || !can_snap(at) || !(turn.sine == turn.sine)) return false;
   const text_extent e = measure_text(text, style.size);
   const double back = style.along == text_along::left ? 0 : style.along == text_along::centre ? 0.5 * e.width : e.width;

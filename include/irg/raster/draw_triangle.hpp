@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// draw_triangle: the triangle kernel. Coverage in integers, depth test, perspective-correct weights, one pixel shader
+// shade_triangle: the triangle kernel. Coverage in integers, depth test, perspective-correct weights, one pixel shader
 // call per visible pixel. The arithmetic is written once, in detail::triangle_pixels, for scalars and packs; it stands
-// before draw_triangle, since it chooses between the two lives and no other file does.
+// before shade_triangle, since it chooses between the two lives and no other file does.
 #pragma once
 
 #include <bit>
@@ -150,9 +150,9 @@ concept KeepsDepths = DepthKeeping<How, pixel_of<R>> && (DepthFormat<How> || std
 
 inline namespace IRG_ABI {
 
-/// draw_triangle with a painter in place of the shader: paint(row, bits, weights) is given a row from some pixel on,
+/// shade_triangle with a painter in place of the shader: paint(row, bits, weights) is given a row from some pixel on,
 /// as many bits as registers have lanes, set for the pixels to be drawn, and the weights of all these lanes.
-/// shape   How, Policy, window and counts as draw_triangle has them; shade_over is the painter for shaders
+/// shape   How, Policy, window and counts as shade_triangle has them; shade_over is the painter for shaders
 /// needs   a painter for weights of float and of registers of float
 template <class How, DepthPolicy Policy, RowRaster Colour, class Depth, class Paint>
 constexpr draw_counts paint_triangle(Colour& colour, Depth& depth, const covered_triangle& t, const Paint& paint,
@@ -183,8 +183,8 @@ constexpr draw_counts paint_triangle(Colour& colour, Depth& depth, const covered
 template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
           PixelShader<pixel_of<Colour>> Shader>
   requires detail::KeepsDepths<Depth, How>
-constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const covered_triangle& t, const Shader& shader,
-                                    const cell_window& window) {
+constexpr draw_counts shade_triangle(Colour& colour, Depth& depth, const covered_triangle& t, const Shader& shader,
+                                     const cell_window& window) {
   return paint_triangle<How, Policy>(colour, depth, t, shade_over<Shader>{shader}, window);
 }
 
@@ -194,19 +194,21 @@ constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const covered_
 template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
           PixelShader<pixel_of<Colour>> Shader>
   requires detail::KeepsDepths<Depth, How>
-constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const screen_vertex (&v)[3], const Shader& shader) {
-  return draw_triangle<How, Policy>(
+constexpr draw_counts shade_triangle(Colour& colour, Depth& depth, const screen_vertex (&v)[3], const Shader& shader) {
+  return shade_triangle<How, Policy>(
       colour, depth, cover_and_set_up(vertex_for<How>(v[0]), vertex_for<How>(v[1]), vertex_for<How>(v[2])), shader,
       window_of(colour));
 }
 
 /// Draws every covered pixel of a triangle: no depth buffer, what is drawn later covers what was drawn before.
 template <RowRaster Colour, PixelShader<pixel_of<Colour>> Shader>
-constexpr draw_counts draw_triangle(Colour& colour, const screen_vertex (&v)[3], const Shader& shader) {
+constexpr draw_counts shade_triangle(Colour& colour, const screen_vertex (&v)[3], const Shader& shader) {
   const detail::no_depth depth{};
   return paint_triangle<drawing_order, depth_policy<>>(colour, depth, cover_and_set_up(v[0], v[1], v[2]),
                                                        shade_over<Shader>{shader}, window_of(colour));
 }
+
+IRG_RENAMED(draw_triangle, shade_triangle)
 
 }  // namespace IRG_ABI
 }  // namespace irg

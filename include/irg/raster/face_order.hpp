@@ -15,7 +15,7 @@
 
 namespace irg {
 
-/// A face that covers a pixel, and its depth there as draw_triangle rounds it.
+/// A face that covers a pixel, and its depth there as shade_triangle rounds it.
 struct face_sample {
   const screen_face& face;
   float depth;
@@ -42,7 +42,7 @@ template <DepthOrder Order = nearer_is_greater>
                                                       int y) noexcept;
 
 /// The same of two faces that cover the pixel and whose rounded depths are at hand: these decide unless they are close.
-/// needs   depths by draw_triangle, or any within 8 roundings of floats
+/// needs   depths by shade_triangle, or any within 8 roundings of floats
 /// exact   as above
 /// cost    five comparisons of floats where depths are not negative and differ by more than 2^-20 of the greater one
 template <DepthOrder Order = nearer_is_greater>
@@ -132,7 +132,7 @@ IRG_INLINE constexpr auto depth_difference(const mean_depth<Weight, Depth>& a,
 IRG_INLINE constexpr plane_depth_at plane_at(const screen_face& f, const subpixel& p) noexcept {
   const std::int64_t sign = f.coverage.flipped ? -1 : 1, total = f.coverage.double_area;
   const subpixel &a = f.v[0].position, &b = f.v[1].position, &c = f.v[2].position;
-  const std::int64_t at_a = sign * signed_double_area(p, b, c), at_b = sign * signed_double_area(a, p, c);
+  const std::int64_t at_a = sign * twice_signed_area(p, b, c), at_b = sign * twice_signed_area(a, p, c);
   return {{at_a, at_b, total - at_a - at_b}, total, {f.v[0].depth, f.v[1].depth, f.v[2].depth}};
 }
 

@@ -417,7 +417,7 @@ constexpr bool is_convex_ring(const R& ring) {
   for (std::size_t i = 0; i < n; ++i) {
     const subpixel c = near_vertex(ring, i);
     if (c == b) continue;
-    const std::int64_t turn = signed_double_area(a, b, c);
+    const std::int64_t turn = twice_signed_area(a, b, c);
     const int way = turn > 0 ? 1 : turn < 0 ? -1 : 0;
     if (way == 0 && (std::int64_t{b.x} - a.x) * (std::int64_t{c.x} - b.x) < 0) return false;  // a spike
     if (way != 0 && sense != 0 && way != sense) return false;

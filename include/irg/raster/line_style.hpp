@@ -88,10 +88,10 @@ enum class text_along { left, centre, right };
 enum class text_across { baseline, middle, top, bottom };
 
 /// The choices together.
-/// units   size and weight in pixels, turn in degrees, clockwise on the screen
+/// units   size and weight in pixels, clockwise_degrees turn the text on the screen
 struct text_style {
   double size = 20;  // of a line; capitals are 7/10 of it
-  double turn = 0;  // about the position
+  double clockwise_degrees = 0;  // about the position
   double weight = 0;  // of the strokes; when it is not positive, a twelfth of the size, but one pixel at least
   text_along along = text_along::left;
   text_across across = text_across::baseline;

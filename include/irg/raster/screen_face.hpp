@@ -50,7 +50,7 @@ inline namespace IRG_ABI {
   return covers(f.coverage, x, y);
 }
 
-/// What the face's pixels share: from it depth_at and weights_at give what draw_triangle has at a pixel.
+/// What the face's pixels share: from it depth_at and weights_at give what shade_triangle has at a pixel.
 /// gives   zeros for a face without area
 [[nodiscard]] IRG_INLINE constexpr triangle_setup set_up_face(const screen_face& f) noexcept {
   if (f.coverage.double_area == 0) return {};

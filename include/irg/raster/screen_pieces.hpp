@@ -69,7 +69,7 @@ template <Floating T>
     share[k] = {converted<float>(left[k].attributes[0]), converted<float>(left[k].attributes[1])};
   }
   const auto area_of = [&](std::size_t k) {
-    return signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
+    return twice_signed_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
   };
   for (std::size_t k = 1; k + 1 < left.size(); ++k) pieces.double_area += area_of(k);
   for (std::size_t k = 1; k + 1 < left.size() && pieces.double_area != 0; ++k) {

@@ -44,15 +44,15 @@ inline namespace IRG_ABI {
 
 /// Twice the area of a triangle in (1/256 pixel)^2: positive when a, b, c run clockwise on the screen (y down).
 /// exact   for coordinates within snap_limit
-[[nodiscard]] IRG_INLINE constexpr std::int64_t signed_double_area(const subpixel& a, const subpixel& b,
-                                                                   const subpixel& c) noexcept {
+[[nodiscard]] IRG_INLINE constexpr std::int64_t twice_signed_area(const subpixel& a, const subpixel& b,
+                                                                  const subpixel& c) noexcept {
   return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
 }
 
 /// Which way round a triangle runs as it is seen on the screen (y down).
 [[nodiscard]] IRG_INLINE constexpr orientation orientation_of(const subpixel& a, const subpixel& b,
                                                               const subpixel& c) noexcept {
-  const std::int64_t area = signed_double_area(a, b, c);
+  const std::int64_t area = twice_signed_area(a, b, c);
   return area > 0 ? orientation::clockwise : area < 0 ? orientation::counter_clockwise : orientation::degenerate;
 }
 
@@ -113,7 +113,7 @@ inline namespace IRG_ABI {
 /// source  Pineda 1988; Giesen 2013 for dropping the common low bits
 [[nodiscard]] IRG_INLINE constexpr triangle_coverage cover_triangle(subpixel a, subpixel b, subpixel c) noexcept {
   triangle_coverage t;
-  t.double_area = signed_double_area(a, b, c);
+  t.double_area = twice_signed_area(a, b, c);
   if (t.double_area == 0) return t;
   t.flipped = t.double_area < 0;
   if (t.flipped) {
@@ -195,6 +195,8 @@ constexpr void covered_spans(const triangle_coverage& t, const cell_window& wind
   }
   return inside ? containment::inside : containment::crossing;
 }
+
+IRG_RENAMED(signed_double_area, twice_signed_area)
 
 }  // namespace IRG_ABI
 }  // namespace irg

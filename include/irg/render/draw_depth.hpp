@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // draw_depth: triangles drawn for their depths alone, as shadows and occlusion want them. The depths are those that
-// draw_batches leaves; no colour is touched, and nobody keeps account of which triangle is seen. So where two faces are
+// shade_batches leaves; no colour is touched, and nobody keeps account of which triangle is seen. So where two faces are
 // too close to tell by their computed depths, the nearer of these stays, be it the seen one's or not.
 #pragma once
 
@@ -36,7 +36,7 @@ inline namespace IRG_ABI {
 /// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
 /// gives   triangles with a corner that is not finite are left out, and those that name a vertex that is not there
 /// exact   the nearest of the computed depths, for every executor and with all skips on and off: equal to what
-///         draw_batches leaves, or within 8 ulp of it where two faces lie that close
+///         shade_batches leaves, or within 8 ulp of it where two faces lie that close
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Depth, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float>

@@ -31,7 +31,7 @@ struct transparent_settings {
 inline namespace IRG_ABI {
 
 /// Draws transparent triangles into a picture whose opaque part, with its depths, is finished; returns what it did.
-/// shape   as draw_batches. What a pixel shader gives is handed to blend(pixel below, it) -> pixel; the default takes
+/// shape   as shade_batches. What a pixel shader gives is handed to blend(pixel below, it) -> pixel; the default takes
 ///         rgba8 whose `a` is the opacity, the colour not multiplied by it, and mixes light. An AttributeShading with
 ///         opacity among its attributes gives every vertex an opacity of its own
 /// needs   `depth` of the same order and size, no part of it NaN where something is to be seen
@@ -41,7 +41,7 @@ inline namespace IRG_ABI {
 ///         ones, so that a face on a wall is hidden by the wall. `depth` stays as it is. Triangles with a corner that
 ///         is not finite are left out, and those that name a vertex that is not there. Where pieces of a clipped
 ///         triangle lie on each other (raster/screen_pieces.hpp), it is blended twice
-/// exact   the same bytes for every executor, all skips on and off; depths by draw_triangle's arithmetic; centroids
+/// exact   the same bytes for every executor, all skips on and off; depths by shade_triangle's arithmetic; centroids
 ///         rounded in T
 /// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates
 /// source  Newell, Newell and Sancha 1972 for the order, Porter and Duff 1984 for "over"
@@ -58,7 +58,7 @@ constexpr render_stats draw_transparent(render_target<Colour, Depth> target, con
 
 namespace irg::detail::inline IRG_ABI {
 
-// What transparent triangles need beside draw_triangle: blending, and the depths behind which nothing of them is seen.
+// What transparent triangles need beside shade_triangle: blending, and the depths behind which nothing of them is seen.
 
 // Blends what a shader gives over the pixels that are there.
 template <class Shader, class Blend>

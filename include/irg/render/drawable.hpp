@@ -68,7 +68,7 @@ template <Floating T>
   out.face_of.reserve(m.face_count());
   for (std::size_t f = 0; f < m.face_count(); ++f)  // triangulate keeps the faces' order
     out.face_of.insert(out.face_of.end(), m.face_size(f) - 2, static_cast<std::uint32_t>(f));
-  m = triangulate(std::move(m));
+  m = triangulated(std::move(m));
   detail::corner_vertices<T> vertex_of(m.positions.size());
   for (std::size_t t = 0; t < m.face_count(); ++t) {
     const std::uint32_t a = vertex_of(m, m.corner(t, 0), out), b = vertex_of(m, m.corner(t, 1), out),

@@ -100,7 +100,7 @@ struct mip_textured_shader {
   }
 };
 
-/// Textured surfaces as a maker of pixel shaders for draw_batches and draw_transparent; as textured_shading, but with
+/// Textured surfaces as a maker of pixel shaders for shade_batches and draw_transparent; as textured_shading, but with
 /// the pyramids of the textures, and trilinear.
 /// shape   objects[batch.object] belongs to a batch, its vertices to the batch's; textures are numbered from 0
 /// needs   all that it names to outlive it; the mapping that the batches were projected with

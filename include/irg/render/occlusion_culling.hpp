@@ -88,7 +88,7 @@ namespace irg {
 
 /// Chooses occluders among the objects of a picture, and tells which of the others they hide.
 /// shape   one view: a matrix to clip space and the size of the picture, at most 65536 x 65536
-/// exact   draw_batches leaves the same picture and depths with the hidden objects and without them, as long as all
+/// exact   shade_batches leaves the same picture and depths with the hidden objects and without them, as long as all
 ///         occluders that are not hidden themselves are drawn, with the same matrix, size, Order and culling of faces.
 ///         At every pixel a hidden object is farther than some occluder, never as near: ties are not concerned
 /// source  Greene, Kass and Miller 1993 for asking for boxes first; Hasselgren, Andersson and Akenine-Moller 2016 for
@@ -272,7 +272,7 @@ struct key_plane {
   IRG_INLINE constexpr float rise(float y) const noexcept { return product(down, y); }
 };
 
-// The plane through three vertices, lowered by what rounding may amount to, here and in draw_triangle: no covered pixel
+// The plane through three vertices, lowered by what rounding may amount to, here and in shade_triangle: no covered pixel
 // is farther. None is farther than the farthest vertex either, which is the better bound for slivers.
 constexpr key_plane plane_below(const screen_vertex& a, const screen_vertex& b, const screen_vertex& c,
                                 float sign) noexcept {
@@ -283,13 +283,13 @@ constexpr key_plane plane_below(const screen_vertex& a, const screen_vertex& b, 
   const float width = number(greater(greater(p.x, q.x), r.x) - lesser(lesser(p.x, q.x), r.x)),
               height = number(greater(greater(p.y, q.y), r.y) - lesser(lesser(p.y, q.y), r.y));
   const float key0 = product(a.depth, sign), key1 = product(b.depth, sign), key2 = product(c.depth, sign);
-  const float inverse = 1.0f / number(signed_double_area(p, q, r)), k1 = key1 - key0, k2 = key2 - key0;
+  const float inverse = 1.0f / number(twice_signed_area(p, q, r)), k1 = key1 - key0, k2 = key2 - key0;
   const float right1 = product(k1, y2), right2 = product(k2, y1), down1 = product(k2, x1), down2 = product(k1, x2);
   const float size_right = product(absolute(right1) + absolute(right2), absolute(inverse)),
               size_down = product(absolute(down1) + absolute(down2), absolute(inverse));
   const float size = (product(size_right, width) + product(size_down, height)) +
                      greater(greater(absolute(key0), absolute(key1)), absolute(key2));
-  // Each path from vertices to a key takes less than 12 roundings of 2^-24, and draw_triangle's errs by 8 of them.
+  // Each path from vertices to a key takes less than 12 roundings of 2^-24, and shade_triangle's errs by 8 of them.
   const float bias = product(size, 0x1p-19f) + 0x1p-140f;
   return {key0 - bias, product(right1 - right2, inverse), product(down1 - down2, inverse),
           lesser(lesser(key0, key1), key2)};

@@ -277,7 +277,7 @@ public:
     return test(arguments...) == occlusion::visible;
   }
 
-  /// The mask's depth at a pixel: what draw_batches leaves there.
+  /// The mask's depth at a pixel: what shade_batches leaves there.
   /// needs   0 <= x < width(), 0 <= y < height()
   [[nodiscard]] IRG_INLINE constexpr float depth(int x, int y) const noexcept {
     return detail::depth_of<Order>(memory_, x, y);

@@ -97,7 +97,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr object_extent<T> extent_of(const object<T>& o) noexcept {
   object_extent<T> e{{}, o.shape.corners.size() - 2 * o.shape.face_count()};
-  for (const point<T, 3>& p : o.shape.positions) e.bounds = enclosing_box(e.bounds, transform_point(o.placement, p));
+  for (const point<T, 3>& p : o.shape.positions) e.bounds = bounding_box(e.bounds, transform_point(o.placement, p));
   return e;
 }
 
@@ -108,7 +108,7 @@ namespace detail::inline IRG_ABI {
 // All of an object but its extent.
 template <class T>
 constexpr void prepare_rest(prepared_object<T>& to, const object<T>& from) {
-  to.shape = transform_mesh(from.shape, from.placement);
+  to.shape = transformed(from.shape, from.placement);
   to.body = make_drawable(to.shape);
   to.surface = from.surface;
 }

@@ -333,7 +333,7 @@ constexpr render_stats draw_wire(const picture_frame<T>& f, const picture_object
   render_stats stats;
   for (const std::uint32_t k : candidates) {
     mesh<T> moved;
-    if (!objects.source.empty()) moved = transform_mesh(objects.source[k].shape, objects.source[k].placement);
+    if (!objects.source.empty()) moved = transformed(objects.source[k].shape, objects.source[k].placement);
     const mesh<T>& shape = objects.source.empty() ? objects.made[k].shape : moved;
     const auto vertices = project_vertices<T>(shape.positions, f.to_clip, f.mapping);
     run.observer(render_stage::project);

@@ -120,7 +120,7 @@ private:
     const T reach = view_.near_distance * (T(1) + t + t * wide);  // more than to the corners of the picture
     box<T, 3> b{};
     for (const point<T, 2>& p : c.corners)
-      for (const T& z : {c.floor, c.ceiling}) b = enclosing_box(b, point<T, 3>{p.x, p.y, z});
+      for (const T& z : {c.floor, c.ceiling}) b = bounding_box(b, point<T, 3>{p.x, p.y, z});
     bool is_near = true;
     for (int i = 0; i < 3; ++i)
       is_near = is_near && b.low[i] - reach <= view_.eye[i] && view_.eye[i] <= b.high[i] + reach;

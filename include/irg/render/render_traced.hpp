@@ -128,12 +128,12 @@ constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t
   image<float> depth(width, height);
   const detail::traced_shading<T> shading{rays, options.limits, viewpoint(world.view)};
   const render_stats stats =
-      draw_batches<nearer_is_greater>(render_target{light, depth}, projected_triangles<T>{batches, mapping}, shading,
-                                      {.culling = options.culling,
-                                       .clear = clearing::before_drawing,
-                                       .background = back,
-                                       .workspace = &ready.workspace},
-                                      executor);
+      shade_batches<nearer_is_greater>(render_target{light, depth}, projected_triangles<T>{batches, mapping}, shading,
+                                       {.culling = options.culling,
+                                        .clear = clearing::before_drawing,
+                                        .background = back,
+                                        .workspace = &ready.workspace},
+                                       executor);
   detail::encode_means(colour, light, samples);
   return stats;
 }

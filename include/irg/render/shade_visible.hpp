@@ -31,11 +31,11 @@ struct visible_triangles {
 inline namespace IRG_ABI {
 
 /// Colours a picture from the numbers of the triangles that its pixels show, and returns what it did.
-/// shape   colour, depth and ids have one size; triangles and make_shader as for draw_batches
+/// shape   colour, depth and ids have one size; triangles and make_shader as for shade_batches
 /// gives   the depths of what is seen too; pixels whose id is no_face, or names a face that does not cover the pixel,
 ///         is at the farthest depth there, culled or not there, show the background, or keep what they have where
 ///         nothing is cleared
-/// exact   with the ids of draw_visibility the bytes of draw_batches; the same for every executor
+/// exact   with the ids of draw_visibility the bytes of shade_batches; the same for every executor
 /// cost    the triangles are culled and listed once more; then each pixel once
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
           RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>

@@ -50,7 +50,7 @@ inline namespace IRG_ABI {
 /// gives   no_face where nothing is seen, if cleared first, else what was there; of equally near triangles the
 ///         first; triangles with a corner that is not finite are left out, and those that name a vertex that is not
 ///         there
-/// exact   the depths and triangles of draw_batches, the same bytes for every executor and all skips on and off
+/// exact   the depths and triangles of shade_batches, the same bytes for every executor and all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 /// source  Burns and Hunt 2013
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image<std::uint32_t>,
@@ -86,7 +86,7 @@ inline namespace IRG_ABI {
 /// needs   vertices projected with the same mapping; 0 <= x, y within the picture
 /// gives   nothing where the triangle has not this number in the batch, names a vertex that is not there, or does not
 ///         cover the pixel
-/// exact   the bits that draw_batches gives to pixel shaders
+/// exact   the bits that shade_batches gives to pixel shaders
 /// cost    one triangle set up; clipped ones are clipped again, which allocates
 template <DepthOrder Order = nearer_is_greater, Floating T>
 [[nodiscard]] constexpr std::optional<pixel_weights<float>> barycentrics_at(const triangle_batch<T>& batch,

@@ -73,8 +73,8 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
   }
   const subpixel origin = v.screen[m.corner(f, 0).position].position;
   for (std::size_t k = 1; k + 1 < n; ++k)
-    area += signed_double_area(origin, v.screen[m.corner(f, k).position].position,
-                               v.screen[m.corner(f, k + 1).position].position);
+    area += twice_signed_area(origin, v.screen[m.corner(f, k).position].position,
+                              v.screen[m.corner(f, k + 1).position].position);
   return area >= 0;
 }
 

@@ -84,7 +84,7 @@ template <Floating T>
   const mat<T, 4, 4> view = look_at(c.eye, c.target, c.up);
   if (c.projection == projection_kind::perspective) {
     const auto p = perspective_checked(c.vertical_angle, aspect, c.near_distance, c.far_distance);
-    return p.is_ordinary() ? checked_projection(p.value * view * detail::scale_towards_one(c.near_distance)) : p;
+    return p.ok() ? checked_projection(p.value * view * detail::scale_towards_one(c.near_distance)) : p;
   }
   const T away = length(c.target - c.eye), least = (std::numeric_limits<T>::min)();
   const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
@@ -94,7 +94,7 @@ template <Floating T>
           ? oblique_checked(oblique_depth<T>{c.receding.angle, c.receding.factor, -away},
                             view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance)
           : orthographic_checked(view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance);
-  return p.is_ordinary() ? checked_projection(p.value * view) : p;
+  return p.ok() ? checked_projection(p.value * view) : p;
 }
 
 /// The matrix from the world to the camera's clip space; see view_projection_checked.

@@ -26,11 +26,12 @@ namespace irg {
 
 /// How a combination of two bodies ended.
 enum class [[nodiscard]] solid_boolean_status {
-  done,
+  ok,
   not_finite,  ///< a position is NaN or infinite
   open_edge,  ///< an edge has one face
   edge_of_many_faces,  ///< faces do not run along an edge as often one way as the other
   not_a_body,  ///< a body cuts itself, has faces without area where it meets another, or a shell turned inside out
+  done [[deprecated("irg: done is now ok")]] = ok
 };
 
 /// Where a face of the result comes from.
@@ -63,7 +64,7 @@ struct solid_boolean_counts {
 template <Floating T>
 struct solid_boolean_result {
   static constexpr std::uint32_t none = no_index;
-  solid_boolean_status status = solid_boolean_status::done;
+  solid_boolean_status status = solid_boolean_status::ok;
   std::uint32_t body =
       none;  // where status is not done, the first of them that is to blame, or none if it is not known
   mesh<T> value{};  // of triangles
@@ -75,7 +76,7 @@ struct solid_boolean_result {
 inline namespace IRG_ABI {
 
 /// What two bodies have in common, what is in either, in the first but not the second, or in one of them alone.
-/// shape   triangles: faces of the bodies as triangulate() cuts them, cut where they meet. Equal positions are one
+/// shape   triangles: faces of the bodies as triangulated() cuts them, cut where they meet. Equal positions are one
 ///         corner; the places of corners, and the faces that triangles come from, are told beside. Triangles of one
 ///         plane and one part count as one face: no corner is made on the sides between them, and a new triangle goes
 ///         by the number of one of them
@@ -382,7 +383,7 @@ namespace detail::inline IRG_ABI {
 
 constexpr bool is_in_combination(bool first, bool second, boolean_operation operation) noexcept {
   switch (operation) {
-    case boolean_operation::unite: return first || second;
+    case boolean_operation::union_: return first || second;
     case boolean_operation::intersection: return first && second;
     case boolean_operation::difference: return first && !second;
     default: return first != second;

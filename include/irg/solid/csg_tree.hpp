@@ -59,7 +59,7 @@ inline namespace IRG_ABI {
 /// The tree of an operation on two trees.
 /// cost    both are copied, or moved
 template <Floating T>
-[[nodiscard]] constexpr csg_tree<T> combine(csg_tree<T> first, csg_tree<T> second, boolean_operation operation) {
+[[nodiscard]] constexpr csg_tree<T> csg_boolean(csg_tree<T> first, csg_tree<T> second, boolean_operation operation) {
   const auto bodies = static_cast<std::uint32_t>(first.bodies.size());
   const auto steps = static_cast<std::uint32_t>(first.steps.size());
   for (mesh<T>& body : second.bodies) first.bodies.push_back(std::move(body));
@@ -86,7 +86,7 @@ template <Floating T>
 ///         nothing recurs
 /// source  Zhou et al. 2016; Cherchi et al. 2020 (crossings of cuts as meetings of three planes)
 template <Floating T>
-[[nodiscard]] constexpr solid_boolean_result<T> mesh_of(const csg_tree<T>& tree) {
+[[nodiscard]] constexpr solid_boolean_result<T> to_mesh(const csg_tree<T>& tree) {
   if (tree.steps.empty()) return {};
   std::vector<unsigned char> is_used(tree.steps.size(), 0);
   is_used[tree.steps.size() - 1] = 1;
@@ -103,6 +103,9 @@ template <Floating T>
   return detail::boolean_of_bodies<T>(
       bodies, [&](const std::vector<unsigned char>& in) { return detail::is_in_steps(tree.steps, in, scratch); });
 }
+
+IRG_RENAMED(mesh_of, to_mesh)
+IRG_RENAMED(combine, csg_boolean)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -53,14 +53,14 @@ inline namespace IRG_ABI {
 ///         from the origin
 /// gives   0 for a mesh without faces, infinity where the volume is beyond the largest number. Faces with positions
 ///         that are not finite count as missing
-/// exact   within 0.51 ulp, 1.2 where it is subnormal: of the exact volume of the triangles that triangulate() makes
+/// exact   within 0.51 ulp, 1.2 where it is subnormal: of the exact volume of the triangles that triangulated() makes
 /// cost    six exact products a triangle, some 200 ns; allocates the triangles
 /// source  irg's own: the divergence theorem with exact sums
 template <SpaceMesh M>
 [[nodiscard]] constexpr scalar_of<mesh_point<M>> solid_volume(const M& body) {
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<3> six_volumes;
-  detail::each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
+  detail::each_solid_triangle(triangulated(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
     detail::add_volume(six_volumes, a, b, c);
   });
   return converted<T>(detail::quotient_of_sum(six_volumes, -3, {0.75, 0.0}));
@@ -76,7 +76,7 @@ template <SpaceMesh M>
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<1> sum;
   bool is_infinite = false;
-  detail::each_solid_triangle(triangulate(to_mesh<T>(surface)), [&](const auto& a, const auto& b, const auto& c) {
+  detail::each_solid_triangle(triangulated(to_mesh<T>(surface)), [&](const auto& a, const auto& b, const auto& c) {
     const double area = widened(triangle_area(a, b, c));
     is_infinite = is_infinite || !is_finite(area);
     if (is_finite(area)) sum.add(area);
@@ -95,7 +95,7 @@ template <SpaceMesh M>
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<3> six_volumes;
   exact_accumulator<4> moments[3];  // twenty-four times the volume times the centre
-  detail::each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
+  detail::each_solid_triangle(triangulated(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
     exact_accumulator<3> six;
     detail::add_volume(six, a, b, c);
     detail::add_volume(six_volumes, a, b, c);

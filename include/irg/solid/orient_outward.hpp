@@ -26,9 +26,10 @@ namespace irg {
 
 /// What orient_outward made of a mesh.
 enum class [[nodiscard]] outward_status {
-  done,
+  ok,
   no_surface,  ///< faces cannot be made to run alike, or do not make a surface: to_half_edges() tells why
   open,  ///< an edge has one face: there is no inside. Faces run alike
+  done [[deprecated("irg: done is now ok")]] = ok
 };
 
 inline namespace IRG_ABI {
@@ -39,7 +40,7 @@ inline namespace IRG_ABI {
 /// needs   a mesh in which validate() finds no defect, with finite positions; shells that do not cut each other, but
 ///         may touch
 /// gives   for `no_surface` the mesh as it was
-/// exact   always, for the triangles that triangulate() makes of the faces
+/// exact   always, for the triangles that triangulated() makes of the faces
 /// cost    O(n log n), and for each shell a pass over the others: exact volumes and one ray
 template <Floating T>
 constexpr outward_status orient_outward(mesh<T>& m);
@@ -87,7 +88,7 @@ enum class volume_part { whole, turned };
 // Adds six times the volume that a closed surface encloses, as it is or as if it were turned inside out.
 template <Floating T>
 constexpr void add_six_volumes(exact_accumulator<3>& sum, const mesh<T>& surface, volume_part part) {
-  each_solid_triangle(triangulate(surface), [&](const auto& a, const auto& b, const auto& c) {
+  each_solid_triangle(triangulated(surface), [&](const auto& a, const auto& b, const auto& c) {
     if (part == volume_part::whole)
       add_volume(sum, a, b, c);
     else
@@ -163,9 +164,9 @@ namespace irg::inline IRG_ABI {
 template <Floating T>
 constexpr outward_status orient_outward(mesh<T>& m) {
   mesh<T> turned = m;
-  if (orient_faces(turned) != orient_status::done) return outward_status::no_surface;
+  if (orient_faces(turned) != orient_status::ok) return outward_status::no_surface;
   const auto half_edges = to_half_edges(turned);
-  if (half_edges.status != half_edge_status::done) return outward_status::no_surface;
+  if (half_edges.status != half_edge_status::ok) return outward_status::no_surface;
   if (counts_of(half_edges.value).borders > 0) {
     m = std::move(turned);
     return outward_status::open;
@@ -186,7 +187,7 @@ constexpr outward_status orient_outward(mesh<T>& m) {
   for (std::size_t f = 0; f < turned.face_count(); ++f)
     if (turn[shells.of_face[f]] != 0) turn_face(turned, f);
   m = std::move(turned);
-  return outward_status::done;
+  return outward_status::ok;
 }
 
 }  // namespace irg::inline IRG_ABI

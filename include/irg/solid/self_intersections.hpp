@@ -34,7 +34,7 @@ inline namespace IRG_ABI {
 /// shape   first < second, in order, each pair once; equal positions are one corner
 /// needs   a mesh in which validate() finds no defect, with finite positions
 /// gives   nothing for faces without area, whose sides are their neighbours'; pieces of one face are not compared
-/// exact   always, for the triangles that triangulate() makes of the faces
+/// exact   always, for the triangles that triangulated() makes of the faces
 /// cost    O(n log n) and the pairs of triangles that are close to each other, some dozen for each triangle; no more
 ///         for fans, cones, bipyramids and poles, where thousands meet round one corner or side, as measured to 10^5;
 ///         bundles that no plane tells apart cost the pairs of triangles whose boxes meet

@@ -97,7 +97,7 @@ public:
   template <SpaceMesh M>
     requires std::same_as<scalar_of<mesh_point<M>>, T>
   IRG_APART constexpr explicit solid_locator(const M& body) {
-    detail::each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
+    detail::each_solid_triangle(triangulated(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
       triangles_.push_back({{a, b, c}});
     });
     build();

@@ -55,7 +55,7 @@ template <SpaceMesh M>
   if (!is_finite(p)) return 0;
   const point<T, 3> from{coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)};
   double sum = 0, error = 0;
-  detail::each_solid_triangle(triangulate(to_mesh<T>(surface)), [&](const auto& a, const auto& b, const auto& c) {
+  detail::each_solid_triangle(triangulated(to_mesh<T>(surface)), [&](const auto& a, const auto& b, const auto& c) {
     const auto next = two_sum(
         sum, detail::half_solid_angle(detail::way_to(from, a), detail::way_to(from, b), detail::way_to(from, c)));
     sum = next.value, error = error + next.error;

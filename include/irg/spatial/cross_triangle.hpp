@@ -248,9 +248,9 @@ inline namespace IRG_ABI {
 ///         numbers are beyond 2^250
 /// source  Woop, Benthin and Wald 2013 (the shear); Edelsbrunner and Muecke 1990 (the moved origin)
 template <Floating T>
-[[nodiscard]] constexpr std::optional<ray_crossing> cross_triangle(const ray<T, 3>& r, const point<T, 3>& a,
-                                                                   const point<T, 3>& b,
-                                                                   const point<T, 3>& c) noexcept {
+[[nodiscard]] constexpr std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
+                                                                       const point<T, 3>& b,
+                                                                       const point<T, 3>& c) noexcept {
   if (is_empty(r)) return std::nullopt;
   detail::triangle_ray q;
   detail::set_triangle_ray(q, r);
@@ -263,6 +263,8 @@ template <Floating T>
   detail::set_weights(x, q, p[0], p[1], p[2], sides, m);
   return x;
 }
+
+IRG_RENAMED(cross_triangle, intersect_triangle)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// triangle_bvh: triangles made ready for rays. What a ray crosses is decided exactly, as cross_triangle does: nothing
+// triangle_bvh: triangles made ready for rays. What a ray crosses is decided exactly, as intersect_triangle does: nothing
 // slips through between two triangles of a closed surface, at whatever scale.
 #pragma once
 
@@ -103,7 +103,7 @@ private:
       for (const point<T, 3>& p : t)
         for (int axis = 0; axis < 3; ++axis) finite = finite && -most <= p[axis] && p[axis] <= most;
       if (!finite) return;
-      boxes[i] = enclosing_box(enclosing_box(box<T, 3>{t[0], t[0]}, t[1]), t[2]);
+      boxes[i] = bounding_box(bounding_box(box<T, 3>{t[0], t[0]}, t[1]), t[2]);
     });
     return boxes;
   }
@@ -143,7 +143,7 @@ inline namespace IRG_ABI {
 /// The triangle that the ray crosses first.
 /// shape   rays of floats or doubles against triangles of either
 /// gives   nothing where it crosses none and for an empty ray; of several crossed in one point the lowest number
-/// exact   which triangles are crossed, as cross_triangle; which of them is first, for all finite numbers; t and
+/// exact   which triangles are crossed, as intersect_triangle; which of them is first, for all finite numbers; t and
 ///         weights as there. The same for every tree over these triangles
 /// cost    some log n boxes and triangles; nothing allocated. With ray_counts, what the ray asked is added to them;
 ///         they cost nothing where they are not asked for

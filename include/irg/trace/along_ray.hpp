@@ -48,7 +48,7 @@ inline namespace IRG_ABI {
 
 /// All triangles that a ray crosses, in the order in which it does.
 /// gives   of those whose times are one double the lower number first
-/// exact   which are crossed, as cross_triangle; the order is that of the rounded times
+/// exact   which are crossed, as intersect_triangle; the order is that of the rounded times
 /// cost    as all_hits, and sorting; allocates the result
 template <Floating T, Floating U>
 [[nodiscard]] constexpr std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r) {
@@ -67,8 +67,8 @@ template <Floating T, Floating U>
 ///         or q by orient3d
 /// cost    as any_hit
 template <Floating T, class Corners>
-[[nodiscard]] constexpr bool is_visible(const triangle_bvh<T>& triangles, const Corners& corners, const point<T, 3>& p,
-                                        const point<T, 3>& q) {
+[[nodiscard]] constexpr bool has_line_of_sight(const triangle_bvh<T>& triangles, const Corners& corners,
+                                               const point<T, 3>& p, const point<T, 3>& q) {
   if (p == q) return true;
   ray<T, 3> way = ray_between(p, q);
   if (is_empty(way)) {
@@ -117,6 +117,8 @@ template <Floating T, Floating U>
   try_run(static_cast<double>(r.high));
   return best;
 }
+
+IRG_RENAMED(is_visible, has_line_of_sight)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -88,7 +88,7 @@ template <Floating T>
   const vec<T, 3> to_a = (a - p) * scale, to_b = (b - p) * scale, n = cross(to_a, to_b);
   if (!(T(0) < dot(n, n))) return T(1);
   std::vector<std::pair<T, T>> hidden;
-  each_in_box(world.triangles().tree(), enclosing_box(enclosing_box(box<T, 3>{p, p}, a), b), [&](std::uint32_t i) {
+  each_in_box(world.triangles().tree(), bounding_box(bounding_box(box<T, 3>{p, p}, a), b), [&](std::uint32_t i) {
     const std::pair<T, T> part = detail::hidden_part(p, to_a, to_b, scale, world.corners(i));
     if (part.first < part.second) hidden.push_back(part);
   });

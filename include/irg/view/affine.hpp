@@ -79,7 +79,7 @@ template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
 [[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> rotation(const V& axis, scalar_of<V> angle) noexcept {
   using T = scalar_of<V>;
-  const auto unit = try_normalize(axis);
+  const auto unit = try_normalized(axis);
   if (!unit) return identity<T, 4>();
   const T x = coordinate(*unit, 0), y = coordinate(*unit, 1), z = coordinate(*unit, 2);
   const T c = cos(angle), s = sin(angle), versine = T(1) - c;
@@ -184,7 +184,7 @@ template <class T>
 /// needs   an affine m; its last row is not read
 /// gives   normals 0, 0, 0 where none is left (a zero normal, a flattened body)
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> transform_mesh(mesh<T> body, const mat<T, 4, 4>& m) {
+[[nodiscard]] constexpr mesh<T> transformed(mesh<T> body, const mat<T, 4, 4>& m) {
   for (auto& p : body.positions) p = transform_point(m, p);
   const mat<T, 3, 3> normals = normal_matrix(m);
   for (auto& n : body.normals) {
@@ -206,6 +206,8 @@ template <Floating T>
 IRG_REFUSES_POINTS(rotation);
 IRG_REFUSES_POINTS(scaling);
 IRG_REFUSES_POINTS(translation);
+
+IRG_RENAMED(transform_mesh, transformed)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -109,7 +109,7 @@ template <Floating T>
 /// exact   within 4u
 template <Floating T>
 [[nodiscard]] constexpr vec<T, 3> foreshortening(const vec<T, 3>& to_viewer) noexcept {
-  const auto d = try_normalize(to_viewer);
+  const auto d = try_normalized(to_viewer);
   if (!d) return {};
   const auto beside = [](T a, T b) { return length(vec<T, 2>{a, b}); };
   return {beside(d->y, d->z), beside(d->x, d->z), beside(d->x, d->y)};
@@ -133,7 +133,7 @@ template <Floating T>
 /// gives   the direction itself for an `up` that is zero, NaN or infinite
 template <Floating T>
 [[nodiscard]] constexpr vec<T, 3> with_axis_up(const vec<T, 3>& direction, const vec<T, 3>& up) noexcept {
-  const auto y = try_normalize(up);
+  const auto y = try_normalized(up);
   if (!y) return direction;
   const bool z_up = magnitude(y->x) < magnitude(y->z) && magnitude(y->y) < magnitude(y->z);
   const vec<T, 3> front = z_up ? vec<T, 3>{T(0), T(-1), T(0)} : vec<T, 3>{T(0), T(0), T(1)};

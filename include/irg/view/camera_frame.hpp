@@ -26,9 +26,10 @@ struct camera_frame {
 
 /// What orthonormalized made of a frame.
 enum class [[nodiscard]] camera_frame_status {
-  ordinary,
+  ok,
   up_replaced,  // up was zero, NaN, infinite or parallel to forward: right, or else an axis of the world stands in
-  forward_replaced  // forward was zero, NaN or infinite: the direction behind right and up, or else -z, stands in
+  forward_replaced,  // forward was zero, NaN or infinite: the direction behind right and up, or else -z, stands in
+  ordinary [[deprecated("irg: ordinary is now ok")]] = ok
 };
 
 inline namespace IRG_ABI {
@@ -123,7 +124,7 @@ template <Floating T>
     const camera_frame<T>& f) noexcept {
   constexpr T parallel = 4 * std::numeric_limits<T>::epsilon();
   const vec<T, 3> right = normalized(f.right), up = normalized(f.up);
-  checked<camera_frame<T>, camera_frame_status> r{f, camera_frame_status::ordinary};
+  checked<camera_frame<T>, camera_frame_status> r{f, camera_frame_status::ok};
   vec<T, 3> z = -normalized(f.forward);
   if (z == vec<T, 3>{}) {
     r.status = camera_frame_status::forward_replaced;
@@ -132,7 +133,7 @@ template <Floating T>
   }
   vec<T, 3> side = cross(up, z);
   if (detail::within(side, parallel)) {
-    if (r.status == camera_frame_status::ordinary) r.status = camera_frame_status::up_replaced;
+    if (r.status == camera_frame_status::ok) r.status = camera_frame_status::up_replaced;
     const vec<T, 3> above = cross(z, right);
     side = cross(detail::within(above, parallel) ? detail::axis_least_aligned(z) : above, z);
   }

@@ -68,8 +68,8 @@ template <Real T>
   if (!detail::is_distance(distance)) return detail::refused<T>(projection_status::bad_distance);
   const T d = distance, o = T(0), one = T(1);
   if (origin == projection_origin::eye)
-    return {{{{d, o, o, o}, {o, d, o, o}, {o, o, d, o}, {o, o, one, o}}}, projection_status::ordinary};
-  return {{{{d, o, o, o}, {o, d, o, o}, {o, o, d, o}, {o, o, -one, d}}}, projection_status::ordinary};
+    return {{{{d, o, o, o}, {o, d, o, o}, {o, o, d, o}, {o, o, one, o}}}, projection_status::ok};
+  return {{{{d, o, o, o}, {o, d, o, o}, {o, o, d, o}, {o, o, -one, d}}}, projection_status::ok};
 }
 
 /// The matrix of project_central; see central_projection_checked.

@@ -11,10 +11,11 @@ namespace irg {
 
 /// What the three arguments of look_at amount to.
 enum class [[nodiscard]] look_at_status {
-  ordinary,
+  ok,
   up_parallel,    // up is zero or parallel to the view: an axis of the world took its place
   eye_at_target,  // there is no direction: the camera looks along the world's -z
-  not_finite  // a coordinate is NaN or infinite, or the eye or the target too far out for the matrix to be finite
+  not_finite,  // a coordinate is NaN or infinite, or the eye or the target too far out for the matrix to be finite
+  ordinary [[deprecated("irg: ordinary is now ok")]] = ok
 };
 
 namespace detail::inline IRG_ABI {
@@ -58,8 +59,8 @@ constexpr checked<mat<scalar_of<P>, 4, 4>, look_at_status> look_at_checked(const
       !detail::within(up, (limits::max)()))
     return {identity<T, 4>(), look_at_status::not_finite};
 
-  const auto backward =
-      try_normalize(generate_coordinates<vec<T, 3>>([&](int i) { return coordinate(eye, i) - coordinate(target, i); }));
+  const auto backward = try_normalized(
+      generate_coordinates<vec<T, 3>>([&](int i) { return coordinate(eye, i) - coordinate(target, i); }));
   const vec<T, 3> z = backward ? *backward : vec<T, 3>{0, 0, 1};
   const vec<T, 3> unit_up = normalized(generate_coordinates<vec<T, 3>>([&](int i) { return coordinate(up, i); }));
   vec<T, 3> side = cross(unit_up, z);
@@ -75,7 +76,7 @@ constexpr checked<mat<scalar_of<P>, 4, 4>, look_at_status> look_at_checked(const
   return {{{{x.x, x.y, x.z, shift(x)}, {y.x, y.y, y.z, shift(y)}, {z.x, z.y, z.z, shift(z)}, {0, 0, 0, 1}}},
           !backward  ? look_at_status::eye_at_target
           : parallel ? look_at_status::up_parallel
-                     : look_at_status::ordinary};
+                     : look_at_status::ok};
 }
 
 /// The matrix from world space into the space of a camera at `eye` that looks at `target`; see look_at_checked, whose

@@ -49,7 +49,7 @@ template <Floating T>
   m(1, 2) = T(0) - y;
   m(0, 3) = product(x, plane_z);
   m(1, 3) = product(y, plane_z);
-  return {m, projection_status::ordinary};
+  return {m, projection_status::ok};
 }
 
 /// The oblique projection of a box, or why there is none.
@@ -63,9 +63,9 @@ template <Floating T>
     const oblique_depth<T>& how, const view_window<T>& window, std::type_identity_t<T> z_near,
     std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
   const auto straight = orthographic_checked(window, z_near, z_far, depth);
-  if (straight.status != projection_status::ordinary) return straight;
+  if (straight.status != projection_status::ok) return straight;
   const auto shear = oblique_shear_checked(how);
-  if (shear.status != projection_status::ordinary) return shear;
+  if (shear.status != projection_status::ok) return shear;
   mat<T, 4, 4> m = straight.value;
   constexpr T largest = (std::numeric_limits<T>::max)();
   for (int row = 0; row < 2; ++row) {

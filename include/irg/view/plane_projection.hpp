@@ -16,13 +16,14 @@ namespace irg {
 
 /// What eye and plane amount to.
 enum class [[nodiscard]] plane_projection_status {
-  ordinary,
+  ok,
   no_plane,  // the normal is zero
   no_eye,  // the eye's coordinates are all zero: neither a position nor a direction
   eye_in_plane,  // every ray meets the plane in the eye
   direction_parallel,  // the rays do not meet the plane, or lie in it
   not_finite,  // a number is NaN or infinite
-  not_representable  // an entry of the matrix would overflow
+  not_representable,  // an entry of the matrix would overflow
+  ordinary [[deprecated("irg: ordinary is now ok")]] = ok
 };
 
 namespace detail::inline IRG_ABI {

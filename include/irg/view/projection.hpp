@@ -23,14 +23,15 @@ enum class depth_range {
 
 /// What the arguments of a projection amount to.
 enum class [[nodiscard]] projection_status {
-  ordinary,
+  ok,
   bad_angle,  // not between 0 and pi; oblique: not finite
   bad_aspect,  // not positive and finite
   bad_window,  // without width or height, or not finite
   bad_distance,  // of the picture plane from the eye: not positive and finite
   bad_factor,  // of an oblique projection: not finite
   bad_depth,  // near not in front of far; perspective: near not in front of the eye
-  not_representable  // an entry of the matrix would overflow
+  not_representable,  // an entry of the matrix would overflow
+  ordinary [[deprecated("irg: ordinary is now ok")]] = ok
 };
 
 namespace detail::inline IRG_ABI {
@@ -88,7 +89,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> checked_projection(const mat<T, 4, 4>& m) noexcept {
   if (!is_finite(m)) return {identity<T, 4>(), projection_status::not_representable};
-  return {m, projection_status::ordinary};
+  return {m, projection_status::ok};
 }
 
 /// The central projection with a vertical angle of view, or why there is none.

@@ -22,10 +22,11 @@ enum class window_fit {
 
 /// What window and viewport amount to.
 enum class [[nodiscard]] window_status {
-  ordinary,
+  ok,
   bad_window,  // without width or height, or not finite
   bad_viewport,  // width or height not positive, or not finite
-  not_representable  // a scale would overflow or vanish
+  not_representable,  // a scale would overflow or vanish
+  ordinary [[deprecated("irg: ordinary is now ok")]] = ok
 };
 
 /// Picture plane to image: the upper left corner of the window comes to `onto`, from there on `scale` pixels are one
@@ -99,7 +100,7 @@ template <Real T>
   return {{{window.left, window.top},
            {view.x + (view.width - seen_width) / T(2), view.y + (view.height - seen_height) / T(2)},
            {x, y}},
-          window_status::ordinary};
+          window_status::ok};
 }
 
 /// Where a position of the picture plane lies in the image.

@@ -175,7 +175,7 @@ private:
     leaf& l = leaves_[f];
     const std::size_t n = l.sides.size();
     for (std::size_t k = 0; k < n; ++k)
-      l.corners.push_back(*crossing_point(lines_[l.sides[k == 0 ? n - 1 : k - 1]], lines_[l.sides[k]]));
+      l.corners.push_back(*intersection_point(lines_[l.sides[k == 0 ? n - 1 : k - 1]], lines_[l.sides[k]]));
     l.ends.resize(n);
     for (std::uint32_t k = 0; k < n; ++k) {
       if (l.sides[k] >= beside.size()) continue;
@@ -194,8 +194,8 @@ private:
     for (std::uint32_t i = node.first; i < node.last; ++i) {
       const bsp_piece_2d& p = tree_.pieces()[i];
       const segment<T, 2>& s = walls_[p.segment];
-      const point<T, 2> a = p.from == bsp_none ? s.a : *crossing_point(s, walls_[p.from]),
-                        b = p.to == bsp_none ? s.b : *crossing_point(s, walls_[p.to]);
+      const point<T, 2> a = p.from == bsp_none ? s.a : *intersection_point(s, walls_[p.from]),
+                        b = p.to == bsp_none ? s.b : *intersection_point(s, walls_[p.to]);
       out.push_back(comes_before(lines_[n], a, b) ? segment<T, 2>{a, b} : segment<T, 2>{b, a});
     }
     std::sort(out.begin(), out.end(), [&](const auto& u, const auto& v) { return comes_before(lines_[n], u.a, v.a); });

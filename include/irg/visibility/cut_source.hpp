@@ -93,7 +93,7 @@ private:
     for (std::size_t i = 0; i < edge_count(); ++i) {
       const segment<T, 2> e = edge(i);
       if (!cross_properly(e, o)) continue;
-      const point<T, 2> at = *crossing_point(e, o);
+      const point<T, 2> at = *intersection_point(e, o);
       if (!(at == e.a) && !(at == e.b)) {
         add_corner(i, at);
         for (std::size_t n = obstacles.size(); n-- > 0;)

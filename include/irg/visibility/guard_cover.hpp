@@ -23,7 +23,7 @@ namespace irg {
 
 /// Whether guards could be chosen: not where rings cross or run along each other or themselves, or something is NaN or
 /// infinite.
-enum class [[nodiscard]] guard_status { done, rings_cross, not_finite };
+enum class [[nodiscard]] guard_status { ok, rings_cross, not_finite, done [[deprecated("irg: done is now ok")]] = ok };
 
 /// A part of a plan, counter-clockwise, and a guard who sees all of it: a corner's number.
 /// shape   a part with holes is listed once for its outer ring, and once for each hole, clockwise
@@ -37,7 +37,7 @@ struct guarded_part {
 /// Guards of a plan, as numbers of its corners; the least number that could do; the parts of the plan.
 template <Floating T>
 struct guard_cover {
-  guard_status status = guard_status::done;
+  guard_status status = guard_status::ok;
   std::vector<std::size_t> guards{};
   std::size_t at_least = 0;
   std::vector<guarded_part<T>> parts{};
@@ -73,7 +73,7 @@ public:
   constexpr guard_cover<T> run(std::span<const std::vector<point<T, 2>>> rings) {
     guard_cover<T> out;
     out.status = read(rings);
-    if (out.status != guard_status::done || corners_.empty()) return out;
+    if (out.status != guard_status::ok || corners_.empty()) return out;
     for (corner& c : corners_) note_bends(c, corners_);
     if (cross_in_corners()) {
       out.status = guard_status::rings_cross;
@@ -119,7 +119,7 @@ private:
     for (std::size_t i = 0; i < walls_.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
         if (disturb(walls_[i], walls_[k])) return guard_status::rings_cross;
-    return guard_status::done;
+    return guard_status::ok;
   }
 
   // Whether two walls cross, or run along each other.
@@ -157,7 +157,7 @@ private:
       if (depth % 2 != 0) std::swap(c.before, c.after);
       walls_.push_back({c.before, c.at});
       corners_.push_back(c);
-      extent_ = enclosing_box(extent_, c.at);
+      extent_ = bounding_box(extent_, c.at);
     }
   }
 

@@ -92,7 +92,7 @@ public:
   constexpr wall_tiles() = default;
   constexpr wall_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain) {
     box<T, 2> around{};
-    for (const auto& w : walls) around = enclosing_box(enclosing_box(around, w.a), w.b);
+    for (const auto& w : walls) around = bounding_box(bounding_box(around, w.a), w.b);
     double most = 0, farthest = 0;
     for (int i = 0; i < 2; ++i) {
       low_[i] = widened(greater(around.low[i], domain.low[i]));

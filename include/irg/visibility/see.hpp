@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include <irg/visibility/corner_rule.hpp>
+#include <irg/visibility/sight_result.hpp>
 
 namespace irg {
 
@@ -81,11 +82,12 @@ inline namespace IRG_ABI {
 
 /// Whether b is seen from a: the segment between their centres crosses no full cell and no wall.
 /// gives   false when a or b is no cell of the grid; a cell sees itself, unless it is full and full ends are tested
-/// exact   for all int coordinates; see(g, a, b) == see(g, b, a)
+/// exact   for all int coordinates; has_line_of_sight(g, a, b) == has_line_of_sight(g, b, a)
 /// cost    a few additions and one look at the grid per cell on the way; no memory
 /// source  Amanatides and Woo 1987 for the steps; Fabris 2012 for the definition
 template <CellGrid G>
-[[nodiscard]] constexpr bool see(const G& g, const cell3& a, const cell3& b, const sight_rules& rules = {}) {
+[[nodiscard]] constexpr bool has_line_of_sight(const G& g, const cell3& a, const cell3& b,
+                                               const sight_rules& rules = {}) {
   const grid_extent e = extent_of(g);
   if (!e.holds(a) || !e.holds(b)) return false;
   if (rules.ends == end_cells::tested && (is_full(g, a) || is_full(g, b))) return false;

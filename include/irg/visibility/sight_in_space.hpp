@@ -58,11 +58,12 @@ template <Floating T>
 /// shape   faces are convex and flat; others count as the triangles from their first corner. Faces without area stop
 ///         nothing
 /// needs   finite coordinates
-/// gives   true when p == q; a face that the way touches, or runs along, stops it; see(p, q, m) == see(q, p, m)
+/// gives   true when p == q; a face that the way touches, or runs along, stops it; has_line_of_sight(p, q, m) == has_line_of_sight(q, p, m)
 /// exact   for all finite floats and doubles
 /// cost    a pass over the faces; some 20 ns for each on one side of whose plane both lie
 template <Floating T>
-[[nodiscard]] constexpr bool see(const point<T, 3>& p, const point<T, 3>& q, const mesh<T>& blockers) noexcept {
+[[nodiscard]] constexpr bool has_line_of_sight(const point<T, 3>& p, const point<T, 3>& q,
+                                               const mesh<T>& blockers) noexcept {
   for (std::size_t f = 0; f < blockers.face_count(); ++f)
     for (std::size_t k = 2; k < blockers.face_size(f); ++k)
       if (detail::stops_sight(p, q, detail::fan_triangle(blockers, f, k))) return false;
@@ -80,7 +81,7 @@ template <Floating T>
 ///         does not hide it, so that regions may be faces of the mesh
 /// exact   `all` and `none`, for all finite floats and doubles; `some` too, but for places in a slanted region, which
 ///         are rounded to numbers beside it
-/// cost    for each face near the regions the planes through three of their corners; a see() for each line
+/// cost    for each face near the regions the planes through three of their corners; a has_line_of_sight() for each line
 /// source  irg's own, by planes that part convex hulls
 template <Floating T>
 [[nodiscard]] constexpr std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
@@ -104,7 +105,7 @@ template <Floating T>
 /// needs   1 <= how.lines, 0 <= how.deviations
 /// gives   the same lines for the same seed, everywhere
 /// exact   each line, between two rounded places; the error bars are Wilson's
-/// cost    a see() for each line, past the faces near the regions
+/// cost    a has_line_of_sight() for each line, past the faces near the regions
 /// source  Wilson 1927
 template <Floating T>
 [[nodiscard]] constexpr sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,

@@ -99,13 +99,13 @@ template <Floating T>
 /// Whether q is seen from p: no obstacle is in the way, strictly between the two.
 /// shape   as first_obstacle
 /// needs   finite coordinates
-/// gives   true when p == q; see(p, q, ...) == see(q, p, ...)
+/// gives   true when p == q; has_line_of_sight(p, q, ...) == has_line_of_sight(q, p, ...)
 /// exact   for all finite floats and doubles
 /// cost    as first_obstacle; ends at an obstacle in the way
 template <Floating T>
-[[nodiscard]] constexpr bool see(const point<T, 2>& p, const point<T, 2>& q,
-                                 std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                 obstacle_ends ends = obstacle_ends::closed) noexcept {
+[[nodiscard]] constexpr bool has_line_of_sight(const point<T, 2>& p, const point<T, 2>& q,
+                                               std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                               obstacle_ends ends = obstacle_ends::closed) noexcept {
   if (p == q) return true;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     if (detail::hit_between(segment<T, 2>{p, q}, obstacles[i], ends, sight_reach::up_to)) return false;

@@ -27,7 +27,7 @@ struct sight_options {
 
 /// How a region came about: `source_on_obstacle` and `source_on_boundary` are answered, what follows them is not.
 enum class [[nodiscard]] visibility_status {
-  done,
+  ok,
   source_on_obstacle,
   source_on_boundary,
   source_outside,
@@ -35,6 +35,7 @@ enum class [[nodiscard]] visibility_status {
   window_not_simple,        // the same of the region that is asked about
   source_crosses_obstacle,  // an edge of the source and an obstacle go on both sides of each other
   not_finite,
+  done [[deprecated("irg: done is now ok")]] = ok
 };
 
 /// What is seen at the end of sight: nothing where an edge of a region runs along a sight line.
@@ -53,7 +54,7 @@ struct sight_vertex {
 /// A region that is seen from a point. Its ring runs counter-clockwise (y up).
 template <Floating T>
 struct visible_region {
-  visibility_status status = visibility_status::done;
+  visibility_status status = visibility_status::ok;
   std::vector<sight_vertex<T>> ring{};
   constexpr bool operator==(const visible_region&) const = default;
 };
@@ -86,7 +87,7 @@ enum class seen_share { none, some, all };
 /// those round holes clockwise.
 template <Floating T>
 struct source_regions {
-  visibility_status status = visibility_status::done;
+  visibility_status status = visibility_status::ok;
   std::vector<std::vector<point<T, 2>>> all{};  // light
   std::vector<std::vector<point<T, 2>>> some{};  // penumbra
   std::vector<std::vector<point<T, 2>>> none{};  // umbra
@@ -95,4 +96,9 @@ struct source_regions {
   constexpr bool operator==(const source_regions&) const = default;
 };
 
+inline namespace IRG_ABI {
+
+IRG_RENAMED(see, has_line_of_sight)
+
+}  // namespace IRG_ABI
 }  // namespace irg

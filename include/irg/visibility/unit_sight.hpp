@@ -22,7 +22,7 @@ inline namespace IRG_ABI {
 /// Which of n units sees which, as n times n bits: (i, j) and (j, i) are equal. Each sees itself where it stands on the
 /// map.
 /// exact   always
-/// cost    see() for each pair
+/// cost    has_line_of_sight() for each pair
 template <CellGrid G>
 [[nodiscard]] constexpr cell_grid who_sees_whom(const G& map, std::span<const cell3> units,
                                                 const sight_rules& rules = {}) {
@@ -30,7 +30,7 @@ template <CellGrid G>
   cell_grid out(grid_extent{n, n, 1});
   for (int i = 0; i < n; ++i)
     for (int j = 0; j <= i; ++j)
-      if (see(map, units[static_cast<std::size_t>(i)], units[static_cast<std::size_t>(j)], rules)) {
+      if (has_line_of_sight(map, units[static_cast<std::size_t>(i)], units[static_cast<std::size_t>(j)], rules)) {
         out.set(cell{i, j});
         out.set(cell{j, i});
       }
@@ -39,13 +39,13 @@ template <CellGrid G>
 
 /// How many pairs of cells of two regions see each other; the same with the regions exchanged.
 /// exact   always
-/// cost    see() for each pair
+/// cost    has_line_of_sight() for each pair
 template <CellGrid G>
 [[nodiscard]] constexpr region_sight see_regions(const G& map, std::span<const cell3> a, std::span<const cell3> b,
                                                  const sight_rules& rules = {}) {
   region_sight out{static_cast<std::int64_t>(a.size()) * static_cast<std::int64_t>(b.size()), 0};
   for (const cell3& p : a)
-    for (const cell3& q : b) out.seen += see(map, p, q, rules) ? 1 : 0;
+    for (const cell3& q : b) out.seen += has_line_of_sight(map, p, q, rules) ? 1 : 0;
   return out;
 }
 

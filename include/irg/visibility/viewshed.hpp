@@ -86,7 +86,7 @@ inline namespace IRG_ABI {
 /// cost    two products of 64 bits per cell on the way
 template <ReadableRaster R>
   requires std::integral<pixel_of<R>>
-[[nodiscard]] constexpr bool see_over(const R& heights, cell a, cell b, const sight_heights& above = {}) {
+[[nodiscard]] constexpr bool has_line_of_sight(const R& heights, cell a, cell b, const sight_heights& above = {}) {
   const grid_extent e{width_of(heights), height_of(heights), 1};
   if (!e.holds(a) || !e.holds(b)) return false;
   detail::sight_steps steps(a, b);
@@ -96,7 +96,7 @@ template <ReadableRaster R>
 /// The cells that are seen from the eye over one of them, its own among them.
 /// gives   no cell when the eye is over none
 /// exact   always
-/// cost    see_over() for each cell
+/// cost    has_line_of_sight() for each cell
 template <ReadableRaster R>
   requires std::integral<pixel_of<R>>
 [[nodiscard]] constexpr cell_grid viewshed(const R& heights, cell eye, const sight_heights& above = {}) {
@@ -104,7 +104,7 @@ template <ReadableRaster R>
   cell_grid out(e);
   for (int y = 0; y < e.height; ++y)
     for (int x = 0; x < e.width; ++x)
-      if (see_over(heights, eye, {x, y}, above)) out.set(cell{x, y});
+      if (has_line_of_sight(heights, eye, {x, y}, above)) out.set(cell{x, y});
   return out;
 }
 
@@ -129,6 +129,8 @@ template <ReadableRaster R>
     }
   return out;
 }
+
+IRG_RENAMED(see_over, has_line_of_sight)
 
 }  // namespace IRG_ABI
 }  // namespace irg

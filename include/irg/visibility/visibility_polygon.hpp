@@ -124,7 +124,7 @@ public:
     walk();
     out_.status = is_on_boundary ? visibility_status::source_on_boundary
                   : on_obstacle_ ? visibility_status::source_on_obstacle
-                                 : visibility_status::done;
+                                 : visibility_status::ok;
     return std::move(out_);
   }
 
@@ -269,7 +269,7 @@ private:
 
   constexpr point<T, 2> crossing_with(const segment<T, 2>& line, std::uint32_t edge) const {
     const auto& e = envelope_.edges[edge];
-    return *crossing_point(line, segment<T, 2>{e.a, e.b});
+    return *intersection_point(line, segment<T, 2>{e.a, e.b});
   }
   constexpr point<T, 2> seen_at(std::uint32_t edge, std::uint32_t rank) const {
     const auto& e = envelope_.edges[edge];

@@ -187,7 +187,7 @@ constexpr visibility_status take_window(weak_visibility_state<T>& s, const box<T
   s.bounds = window;
   const std::array<point<T, 2>, 4> corners{low, point<T, 2>{high.x, low.y}, high, point<T, 2>{low.x, high.y}};
   for (std::size_t i = 0; i < 4; ++i) s.window.push_back({corners[i], corners[(i + 1) % 4]});
-  return is_empty(window) || is_finite(low, high) ? visibility_status::done : visibility_status::not_finite;
+  return is_empty(window) || is_finite(low, high) ? visibility_status::ok : visibility_status::not_finite;
 }
 
 // The inside of a ring as the window.
@@ -199,10 +199,10 @@ constexpr visibility_status take_window(weak_visibility_state<T>& s, std::span<c
   turn_outwards(rings);
   const std::size_t n = rings[0].size();
   for (std::size_t i = 0; i < n; ++i) {
-    s.bounds = enclosing_box(s.bounds, rings[0][i]);
+    s.bounds = bounding_box(s.bounds, rings[0][i]);
     s.window.push_back({rings[0][i], rings[0][(i + 1) % n]});
   }
-  return visibility_status::done;
+  return visibility_status::ok;
 }
 
 template <Floating T>
@@ -213,7 +213,7 @@ constexpr visibility_status take_rings(source_view<T>& view, std::vector<plane_r
   if (!are_segments && !are_apart(rings)) return visibility_status::source_not_simple;
   if (!are_segments) turn_outwards(rings);
   for (const auto& ring : rings) add_source(view, ring);
-  return visibility_status::done;
+  return visibility_status::ok;
 }
 
 template <Floating T>
@@ -223,7 +223,7 @@ constexpr visibility_status take_source(source_view<T>& view, std::span<const po
   plane_ring<T> corners;
   for (const std::uint32_t i : convex_hull(source)) corners.push_back(source[i]);
   add_source(view, corners);
-  return visibility_status::done;
+  return visibility_status::ok;
 }
 
 template <Floating T>
@@ -243,10 +243,10 @@ constexpr visibility_status take_all(weak_visibility_state<T>& s, const Window& 
   for (const auto& p : source) all_finite = all_finite && is_finite(p);  // a point or a ring of them
   for (const auto& o : obstacles) all_finite = all_finite && is_finite(o.a, o.b);
   if (!all_finite) return visibility_status::not_finite;
-  if (of_window != visibility_status::done) return of_window;
+  if (of_window != visibility_status::ok) return of_window;
   s.view.obstacles.assign(obstacles.begin(), obstacles.end());
-  if (const auto status = take_source(s.view, source); status != visibility_status::done) return status;
-  return crosses_obstacle(s.view) ? visibility_status::source_crosses_obstacle : visibility_status::done;
+  if (const auto status = take_source(s.view, source); status != visibility_status::ok) return status;
+  return crosses_obstacle(s.view) ? visibility_status::source_crosses_obstacle : visibility_status::ok;
 }
 
 template <Floating T>
@@ -322,7 +322,7 @@ constexpr source_regions<T> regions_of_source(const box<T, 2>& window, std::span
   source_regions<T> out;
   out.status = take_all(s, window, source, obstacles);
   const bool has_area = window.low.x < window.high.x && window.low.y < window.high.y;
-  if (out.status != visibility_status::done || !has_area) return out;
+  if (out.status != visibility_status::ok || !has_area) return out;
   const std::vector<int> label = cut_window(s, choice, out);
   out.all = rings_around(s.parts, label, static_cast<int>(seen_share::all));
   out.some = rings_around(s.parts, label, static_cast<int>(seen_share::some));
@@ -354,7 +354,7 @@ template <Floating T>
     std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   detail::weak_visibility_state<T> s;
   const auto status = detail::take_all(s, region, source, obstacles);
-  if (status != visibility_status::done) return {seen_share::none, status};
+  if (status != visibility_status::ok) return {seen_share::none, status};
   source_regions<T> counts;
   bool all = true, none = true;
   for (const int share : detail::cut_window(s, detail::line_choice::needed, counts)) {

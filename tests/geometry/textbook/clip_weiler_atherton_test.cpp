@@ -44,7 +44,7 @@ Ring star(test::random& random, P centre, double size) {
 TEST_CASE("textbook::clip_weiler_atherton: a comb and a bar, their entering and leaving points") {
   constexpr auto teeth = [] {
     const auto r = clip_weiler_atherton(comb(), Ring{{-1, 2}, {9, 2}, {9, 9}, {-1, 9}});
-    return r.status == weiler_atherton_status::done && r.rings.size() == 3 && r.entering.size() == 3 &&
+    return r.status == weiler_atherton_status::ok && r.rings.size() == 3 && r.entering.size() == 3 &&
            r.leaving == Ring{{4, 2}, {2, 2}, {0, 2}} && r.rings[0] == Ring{{5, 2}, {5, 3}, {4, 3}, {4, 2}};
   };
   CHECK_BOTH(teeth());
@@ -54,7 +54,7 @@ TEST_CASE("textbook::clip_weiler_atherton: no crossings, touching, no numbers") 
   CHECK_BOTH(parts(square(0, 9), square(3, 4)) == 1);
   CHECK_BOTH(parts(square(3, 4), square(0, 9)) == 1);
   CHECK_BOTH(parts(square(0, 1), square(3, 4)) == 0);
-  CHECK_BOTH(status(square(0, 1), square(3, 4)) == weiler_atherton_status::done);
+  CHECK_BOTH(status(square(0, 1), square(3, 4)) == weiler_atherton_status::ok);
   CHECK_BOTH(status(square(0, 2), square(0, 2)) == weiler_atherton_status::touching);
   CHECK_BOTH(status(square(0, 2), square(1, 2)) == weiler_atherton_status::touching);
   CHECK_BOTH(status(square(0, 2), square(2, 3)) == weiler_atherton_status::touching);
@@ -76,7 +76,7 @@ TEST_CASE("textbook::clip_weiler_atherton: holes") {
   CHECK(irg::polygon_area(around.rings) == 72);
 }
 
-TEST_CASE("textbook::clip_weiler_atherton: what polygon_overlay finds, for random stars") {
+TEST_CASE("textbook::clip_weiler_atherton: what polygon_boolean finds, for random stars") {
   test::random random(1977);
   const int trials = std::getenv("IRG_RELEASE_TIER") ? 100000 : 1500;
   int several = 0, done = 0;
@@ -85,10 +85,10 @@ TEST_CASE("textbook::clip_weiler_atherton: what polygon_overlay finds, for rando
     const Ring a = star(random, {0, 0}, size),
                b = star(random, {size * (1.4 * random.unit() - 0.7), size * (1.4 * random.unit() - 0.7)}, size);
     const auto walked = clip_weiler_atherton(a, b);
-    if (walked.status != weiler_atherton_status::done) continue;
+    if (walked.status != weiler_atherton_status::ok) continue;
     ++done;
     CHECK(walked.entering.size() == walked.leaving.size());
-    const auto overlay = irg::polygon_overlay(a, b);
+    const auto overlay = irg::polygon_boolean(a, b);
     several += overlay.rings.size() > 1;
     const double want = irg::polygon_area(overlay.rings), got = irg::polygon_area(walked.rings);
     CHECK(walked.rings.size() == overlay.rings.size());

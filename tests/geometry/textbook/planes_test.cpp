@@ -79,12 +79,12 @@ TEST_CASE("textbook::plane_by_inversion: the course's values") {
 
 TEST_CASE("textbook::plane_by_inversion: where there is none") {
   CHECK_BOTH(irg::textbook::plane_by_inversion(H{1, 0, 1, 1}, H{0, 1, 1, 1}, H{1, 1, 2, 1}, 1).status ==
-             irg::inversion_outcome::through_origin);
+             irg::inversion_status::through_origin);
   CHECK_BOTH(irg::textbook::plane_by_inversion(H{1, 0, 0, 1}, H{2, 0, 0, 1}, H{3, 0, 0, 1}, 1).status ==
-             irg::inversion_outcome::collinear);
+             irg::inversion_status::collinear);
   // A divisor of subnormal size leaves no D: 1/D is beyond the range.
   CHECK_BOTH(irg::textbook::plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, 0x1p1023).status ==
-             irg::inversion_outcome::plane);
+             irg::inversion_status::ok);
 }
 
 using irg::mat;

@@ -26,7 +26,7 @@ TEST_CASE("textbook::list_crossings: two squares, both lists by hand") {
     std::vector<list_point> subject, clip;
     for (const listed_vertex& v : l.subject[0]) subject.push_back(v.at);
     for (const listed_vertex& v : l.clip[0]) clip.push_back(v.at);
-    return l.status == weiler_atherton_status::done && l.crossings.size() == 2 && l.crossings[0].enters &&
+    return l.status == weiler_atherton_status::ok && l.crossings.size() == 2 && l.crossings[0].enters &&
            !l.crossings[1].enters && l.crossings[0].at == list_point{2, 1} && l.crossings[1].at == list_point{1, 2} &&
            subject == std::vector<list_point>{{0, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}} &&
            clip == std::vector<list_point>{{1, 1}, {2, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 2}} &&
@@ -37,9 +37,9 @@ TEST_CASE("textbook::list_crossings: two squares, both lists by hand") {
 
 TEST_CASE("textbook::list_crossings: nothing, apart, touching") {
   constexpr auto status = [](const list_rings& a, const list_rings& b) { return list_crossings(a, b).status; };
-  CHECK_BOTH(status({}, {}) == weiler_atherton_status::done);
-  CHECK_BOTH(status({{}}, list_square(0, 1)) == weiler_atherton_status::done);
-  CHECK_BOTH(status(list_square(0, 1), list_square(2, 3)) == weiler_atherton_status::done);
+  CHECK_BOTH(status({}, {}) == weiler_atherton_status::ok);
+  CHECK_BOTH(status({{}}, list_square(0, 1)) == weiler_atherton_status::ok);
+  CHECK_BOTH(status(list_square(0, 1), list_square(2, 3)) == weiler_atherton_status::ok);
   CHECK_BOTH(status(list_square(0, 1), list_square(1, 2)) == weiler_atherton_status::touching);
   CHECK_BOTH(status(list_square(0, 4), {{{1, 0}, {3, 0}, {2, 1}}}) == weiler_atherton_status::touching);
   // The ring crosses itself: along the clip polygon two entering points follow each other.
@@ -59,7 +59,7 @@ TEST_CASE("textbook::list_crossings: vertices in order, crossings between them, 
     }
     const auto l = list_crossings(polygon[0], polygon[1]);
     touching += l.status == weiler_atherton_status::touching;
-    if (l.status != weiler_atherton_status::done) continue;
+    if (l.status != weiler_atherton_status::ok) continue;
     crossings += static_cast<int>(l.crossings.size());
     for (const std::size_t which : {0u, 1u}) {
       const std::vector<listed_vertex>& list = which == 0 ? l.subject[0] : l.clip[0];

@@ -23,7 +23,7 @@ using faces = std::vector<std::uint32_t>;
 TEST_CASE("textbook back faces: the rule of edges does not notice the back of a star, the area does") {
   constexpr point2 star[] = {{0, 4},  {-1, 1}, {-4, 0}, {-1, -1},
                              {0, -4}, {1, -1}, {4, 0},  {1, 1}};  // counter-clockwise
-  CHECK_BOTH(irg::side_by_order(star, orientation::clockwise) == facing::back);
+  CHECK_BOTH(irg::facing_by_order(star, orientation::clockwise) == facing::back);
   CHECK_BOTH(!irg::textbook::is_back_by_edges(star, orientation::clockwise));
 }
 
@@ -55,9 +55,9 @@ TEST_CASE(
     "projection") {
   constexpr vec3 z{0, 0, 1};
   CHECK_BOTH(irg::textbook::is_back_by_axis(z, vec3{3, 0, 1}));
-  CHECK_BOTH(irg::side_by_angle(vec3{3, 0, 1}, point3{-2, 0, 4}, point3{}) == facing::front);
+  CHECK_BOTH(irg::facing_by_angle(vec3{3, 0, 1}, point3{-2, 0, 4}, point3{}) == facing::front);
   CHECK_BOTH(!irg::textbook::is_back_by_axis(z, vec3{3, 0, -1}));
-  CHECK_BOTH(irg::side_by_angle(vec3{3, 0, -1}, point3{2, 0, 4}, point3{}) == facing::back);
+  CHECK_BOTH(irg::facing_by_angle(vec3{3, 0, -1}, point3{2, 0, 4}, point3{}) == facing::back);
   CHECK_BOTH(!irg::textbook::is_back_by_axis(z, vec3{1, 0, 0}));
   // Under parallel projection it is right: the eye is at infinity, against the axis.
   constexpr auto by_axis = [] {
@@ -79,7 +79,7 @@ TEST_CASE("textbook back faces: an infinitely far eye sees as the camera's axis 
     const vec3 z{number(), number(), number()};
     for (std::size_t f = 0; f < m.face_count(); ++f) {
       const vec3 normal = irg::face_normal(m, f).value_or(vec3{});
-      const facing side = irg::side_of_face(m, f, hpoint3{-z.x, -z.y, -z.z, 0});
+      const facing side = irg::facing_of(m, f, hpoint3{-z.x, -z.y, -z.z, 0});
       if (std::abs(dot(z, normal)) > 1e-12) CHECK(irg::textbook::is_back_by_axis(z, normal) == (side == facing::back));
     }
   }
@@ -97,7 +97,7 @@ TEST_CASE(
     CHECK(mixed == dot(point3{0, 0, d} - p[1], normal));
     const auto plane = irg::plane_through(p[0], p[1], p[2]);
     CHECK((plane ? irg::normal_of(*plane) : vec3{}) == normal);
-    const facing side = plane ? irg::side_by_plane(*plane, point3{0, 0, d}) : facing::edge_on;
+    const facing side = plane ? irg::facing_by_plane(*plane, point3{0, 0, d}) : facing::edge_on;
     CHECK(irg::textbook::is_hidden_polygon(p, d) == irg::is_hidden(side));
   }
 }

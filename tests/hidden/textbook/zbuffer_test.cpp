@@ -135,7 +135,7 @@ TEST_CASE("textbook::zbuffer: exact depths, in rasters that have nothing but get
   CHECK_BOTH(go());
 }
 
-// Faces drawn by draw_triangle and by the textbook.
+// Faces drawn by shade_triangle and by the textbook.
 template <class Order>
 int faces_drawn_otherwise(Order order, std::uint64_t seed) {
   constexpr int size = 30;
@@ -151,7 +151,7 @@ int faces_drawn_otherwise(Order order, std::uint64_t seed) {
            static_cast<float>(0.5 + r.unit())};
     if (i % 4 == 3) v[2].position = v[1].position;  // edge on
     for (int times = 0; times < 1 + i % 2; ++times) {
-      irg::draw_triangle<Order>(ids, depth, {v[0], v[1], v[2]}, irg::solid_shader<int>{i});
+      irg::shade_triangle<Order>(ids, depth, {v[0], v[1], v[2]}, irg::solid_shader<int>{i});
       irg::textbook::zbuffer_face(buffers, irg::make_screen_face(v[0], v[1], v[2], 0), i);
     }
   }
@@ -162,7 +162,7 @@ int faces_drawn_otherwise(Order order, std::uint64_t seed) {
   return wrong;
 }
 
-TEST_CASE("zbuffer_face: the pixels and the bits of draw_triangle, in every order") {
+TEST_CASE("zbuffer_face: the pixels and the bits of shade_triangle, in every order") {
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     REQUIRE(faces_drawn_otherwise(nearer_is_greater{}, seed) == 0);
     REQUIRE(faces_drawn_otherwise(nearer_is_less{}, seed) == 0);

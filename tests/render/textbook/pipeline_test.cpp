@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pipeline on one screen against draw_triangles and against render: the same pixels, depths and weights.
+// The pipeline on one screen against shade_triangles and against render: the same pixels, depths and weights.
 #include <irg/render/textbook/pipeline.hpp>
 
 #include <array>
@@ -44,7 +44,7 @@ template <class Shade = decltype(by_number)>
 constexpr canvas book(const std::vector<P>& corners, const matrix& to_clip, int width, int height,
                       const Shade& shade = by_number) {
   canvas c(width, height);
-  irg::textbook::draw_triangles(corners, to_clip, c.picture, c.depth, shade);
+  irg::textbook::shade_triangles(corners, to_clip, c.picture, c.depth, shade);
   return c;
 }
 
@@ -56,15 +56,15 @@ constexpr canvas own(const std::vector<P>& corners, const matrix& to_clip, int w
   const auto vertices = irg::project_vertices<double>(corners, to_clip, mapping);
   std::vector<irg::triangle_indices> triangles;
   for (std::uint32_t k = 0; k + 2 < corners.size(); k += 3) triangles.push_back({{k, k + 1, k + 2}});
-  irg::draw_triangles(irg::render_target{c.picture, c.depth}, {vertices, triangles, mapping},
-                      [&](std::uint32_t n, irg::facing) {
-                        return [&shade, n](const irg::pixel_weights<float>& at) { return shade(n, at); };
-                      });
+  irg::shade_triangles(irg::render_target{c.picture, c.depth}, {vertices, triangles, mapping},
+                       [&](std::uint32_t n, irg::facing) {
+                         return [&shade, n](const irg::pixel_weights<float>& at) { return shade(n, at); };
+                       });
   return c;
 }
 
 void add_triangles(std::vector<P>& corners, const irg::mesh<double>& m, const matrix& placement) {
-  for (const irg::mesh_corner& c : irg::triangulate(m).corners)
+  for (const irg::mesh_corner& c : irg::triangulated(m).corners)
     corners.push_back(irg::transform_point(placement, m.positions[c.position]));
 }
 
@@ -78,7 +78,7 @@ matrix anywhere_ahead(test::random& r) {
 
 float ulps_apart(float a, float b) { return std::fabs(a - b) / std::ldexp(1.0f, std::ilogb(std::fmax(a, b)) - 23); }
 
-TEST_CASE("textbook::draw_triangles: a convex body has the pixels of draw_triangles, each one, and its depths") {
+TEST_CASE("textbook::shade_triangles: a convex body has the pixels of shade_triangles, each one, and its depths") {
   test::random r(61);
   long long covered = 0;
   for (int n = 0; n < 300; ++n) {
@@ -104,7 +104,7 @@ TEST_CASE("textbook::draw_triangles: a convex body has the pixels of draw_triang
 }
 
 TEST_CASE(
-    "textbook::draw_triangles: bodies through each other, and triangles in disorder: but for close depths the same") {
+    "textbook::shade_triangles: bodies through each other, and triangles in disorder: but for close depths the same") {
   test::random r(62);
   long long covered = 0, otherwise = 0;
   for (int n = 0; n < 100; ++n) {
@@ -133,7 +133,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "textbook::draw_triangles: centres on edges and corners belong to the triangles that draw_triangles gives them") {
+    "textbook::shade_triangles: centres on edges and corners belong to the triangles that shade_triangles gives them") {
   test::random r(63);
   constexpr int size = 16;
   for (int n = 0; n < 3000; ++n) {
@@ -153,13 +153,13 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("textbook::draw_triangles: the picture of render") {
+TEST_CASE("textbook::shade_triangles: the picture of render") {
   irg::scene<double> world;
   world.ambient = {1, 1, 1};
   world.view.eye = {2.2, 2.4, 4};
   world.view.near_distance = 0.5;
-  const irg::mesh<double> shapes[] = {irg::triangulate(irg::shape_teapot<double>()), irg::shape_icosahedron<double>(),
-                                      irg::triangulate(irg::shape_sphere<double>())};
+  const irg::mesh<double> shapes[] = {irg::triangulated(irg::shape_teapot<double>()), irg::shape_icosahedron<double>(),
+                                      irg::triangulated(irg::shape_sphere<double>())};
   std::vector<P> corners;
   std::vector<irg::rgba8> colours;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -175,8 +175,8 @@ TEST_CASE("textbook::draw_triangles: the picture of render") {
   constexpr int width = 320, height = 240;
   canvas a(width, height);
   irg::clear(a.picture, irg::picture_colours{}.background);
-  irg::textbook::draw_triangles(corners, irg::view_projection(world.view, double{width} / height), a.picture, a.depth,
-                                [&](std::size_t n, const auto&) { return colours[n]; });
+  irg::textbook::shade_triangles(corners, irg::view_projection(world.view, double{width} / height), a.picture, a.depth,
+                                 [&](std::size_t n, const auto&) { return colours[n]; });
   const auto by_render = test::render(world, width, height, {.style = irg::picture_style::flat});
   int covered = 0, otherwise = 0;
   for (int y = 0; y < height; ++y)
@@ -190,7 +190,7 @@ TEST_CASE("textbook::draw_triangles: the picture of render") {
   CHECK(otherwise == 0);
 }
 
-TEST_CASE("textbook::draw_triangles: weights are corrected for perspective, as those of draw_triangles") {
+TEST_CASE("textbook::shade_triangles: weights are corrected for perspective, as those of shade_triangles") {
   const std::vector<P> corners{{-3, -2, -2}, {9, -2, -12}, {-3, 8, -9}};
 
   canvas c(50, 50);
@@ -229,7 +229,7 @@ constexpr int pixels_of(const std::vector<P>& corners, int width = 8, int height
   return count;
 }
 
-TEST_CASE("textbook::draw_triangles: backs, corners behind the eye or nowhere, no area, no pixels") {
+TEST_CASE("textbook::shade_triangles: backs, corners behind the eye or nowhere, no area, no pixels") {
   CHECK_BOTH(pixels_of({P{-2, -2, -1}, P{2, -2, -1}, P{2, 2, -1}, P{-2, -2, -1}, P{2, 2, -1}, P{-2, 2, -1}}) == 64);
   CHECK_BOTH(pixels_of({P{-2, -2, -1}, P{2, 2, -1}, P{2, -2, -1}}) == 0);  // its back
   CHECK_BOTH(pixels_of({P{-2, -2, -1}, P{2, -2, -1}, P{2, 2, 1}}) == 0);   // behind the eye
@@ -250,7 +250,7 @@ TEST_CASE("textbook::draw_triangles: backs, corners behind the eye or nowhere, n
   CHECK(pixels_of({P{-2, -2, -1}, P{2, -2, -1}, P{2, 2, -1}}, 0, 0) == 0);
 }
 
-TEST_CASE("textbook::draw_triangles: what is nearer hides, in either order; of equal depths the first stays") {
+TEST_CASE("textbook::shade_triangles: what is nearer hides, in either order; of equal depths the first stays") {
   constexpr auto seen = [](const std::vector<P>& corners) {
     return book(corners, eye_at_origin, 4, 4).picture(2, 2).r;
   };

@@ -52,7 +52,7 @@ constexpr int compare_crossings(const P& a, const P& b, const box<scalar_of<P>, 
 
 // Where the line from a to b crosses a boundary: there exactly, the other coordinates correctly rounded.
 template <Point P, int N>
-constexpr P crossing_point(const P& a, const P& b, const box<scalar_of<P>, N>& window, window_side at) noexcept {
+constexpr P intersection_point(const P& a, const P& b, const box<scalar_of<P>, N>& window, window_side at) noexcept {
   const auto x = bound_of(window, at);
   const auto ax = coordinate(a, at.axis), bx = coordinate(b, at.axis);
   return generate_coordinates<P>(
@@ -70,8 +70,8 @@ constexpr clipped_line<P> line_between(const P& a, const P& b, const box<scalar_
   const T t_first = entry.side != 0 ? parameter(entry) : T(0);
   T t_second = exit.side != 0 ? parameter(exit) : T(1);
   if (t_second < t_first) t_second = t_first;  // a point, or nearly, crossed on two axes
-  return {entry.side != 0 ? crossing_point(a, b, window, entry) : a,
-          exit.side != 0 ? crossing_point(a, b, window, exit) : b, t_first, t_second};
+  return {entry.side != 0 ? intersection_point(a, b, window, entry) : a,
+          exit.side != 0 ? intersection_point(a, b, window, exit) : b, t_first, t_second};
 }
 
 }  // namespace irg::detail::inline IRG_ABI

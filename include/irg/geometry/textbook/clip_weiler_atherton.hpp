@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Weiler and Atherton's clipping, as they tell it: both polygons are lists of vertices, into which the points are put
 // where the boundaries cross. From a point where the subject enters the clip polygon the walk follows the subject, from
-// one where it leaves, the clip polygon, until it is back at its start. polygon_overlay takes all polygons.
+// one where it leaves, the clip polygon, until it is back at its start. polygon_boolean takes all polygons.
 #pragma once
 
 #include <irg/geometry/point_in_polygon.hpp>
@@ -12,7 +12,7 @@ namespace irg::textbook {
 /// The common part of two polygons, and the two lists of the method.
 /// shape   rings directed as the polygons'; entering and leaving have a meaning where the status is `done`
 struct weiler_atherton_clip {
-  weiler_atherton_status status = weiler_atherton_status::done;
+  weiler_atherton_status status = weiler_atherton_status::ok;
   std::vector<std::vector<point<double, 2>>> rings{};
   std::vector<point<double, 2>> entering{}, leaving{};
 };
@@ -73,7 +73,7 @@ template <PlanePolygon A, PlanePolygon B>
   const std::vector<std::vector<point<double, 2>>> rings[] = {detail::plain_rings(subject), detail::plain_rings(clip)};
   const weiler_atherton_lists l = list_crossings(rings[0], rings[1]);
   weiler_atherton_clip result{l.status};
-  if (l.status != weiler_atherton_status::done) return result;
+  if (l.status != weiler_atherton_status::ok) return result;
   for (const listed_crossing& c : l.crossings) (c.enters ? result.entering : result.leaving).push_back(c.at);
   std::vector<char> walked(l.crossings.size(), char{0});
   for (std::size_t k = 0; k < l.crossings.size(); ++k)

@@ -38,9 +38,9 @@ template <PolygonRing R>
 /// source  Mihajlovic 2016, formula 4.3
 template <HomogeneousPoint P>
   requires(size_of<P> == 4 && Real<scalar_of<P>>)
-[[nodiscard]] constexpr checked<plane<scalar_of<P>>, inversion_outcome> plane_by_inversion(const P& p1, const P& p2,
-                                                                                           const P& p3,
-                                                                                           scalar_of<P> d) noexcept {
+[[nodiscard]] constexpr checked<plane<scalar_of<P>>, inversion_status> plane_by_inversion(const P& p1, const P& p2,
+                                                                                          const P& p3,
+                                                                                          scalar_of<P> d) noexcept {
   return irg::plane_by_inversion(p1, p2, p3, scalar_of<P>(1) / d);
 }
 

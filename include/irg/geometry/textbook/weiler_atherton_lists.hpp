@@ -15,7 +15,12 @@ namespace irg::textbook {
 
 /// What Weiler and Atherton's clipping comes to. `touching`: a vertex lies on the other polygon's boundary, or entering
 /// and leaving points do not take turns: crossings are too near to each other, or rings are not as they should be.
-enum class [[nodiscard]] weiler_atherton_status { done, touching, not_finite };
+enum class [[nodiscard]] weiler_atherton_status {
+  ok,
+  touching,
+  not_finite,
+  done [[deprecated("irg: done is now ok")]] = ok
+};
 
 /// A vertex, at the start of its edge, or a crossing along that edge, with its number among the crossings.
 struct listed_vertex {
@@ -35,7 +40,7 @@ struct listed_crossing {
 /// The lists of the subject (0) and of the clip polygon (1), one for each ring, and all crossings.
 /// shape   they have a meaning where the status is `done`
 struct weiler_atherton_lists {
-  weiler_atherton_status status = weiler_atherton_status::done;
+  weiler_atherton_status status = weiler_atherton_status::ok;
   std::vector<std::vector<listed_vertex>> subject{}, clip{};
   std::vector<listed_crossing> crossings{};
 };

@@ -49,7 +49,7 @@ struct place_ratio {
 // The edge function of side i of a face: positive inside. At most 2^60 in size.
 template <class Face>
 IRG_INLINE constexpr std::int64_t side_at(const Face& f, int i, const subpixel& p) noexcept {
-  return signed_double_area(f.p[i], f.p[i == 2 ? 0 : i + 1], p);
+  return twice_signed_area(f.p[i], f.p[i == 2 ? 0 : i + 1], p);
 }
 
 // How much nearer the plane of a face is than a depth d at p, times twice its area: E1 d0 + E2 d1 + E0 d2 - A d.

@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 /// A polygon, or a part of one, with its depths.
 [[nodiscard]] constexpr depth_sort_part make_part(const space_corners& corners, std::uint32_t number,
                                                   const visible_plane<double>& plane, std::uint32_t made) {
-  const auto box = enclosing_box(corners);
+  const auto box = bounding_box(corners);
   return {{corners, number}, plane, box.low.z, box.high.z, {}, made};
 }
 

@@ -71,7 +71,7 @@ template <SpaceRing P, SpaceRing Q>
 [[nodiscard]] constexpr bool does_not_hide_by(newell_step test, const P& p, const Q& q) {
   if (test == newell_step::x_apart || test == newell_step::y_apart) {
     const int axis = test == newell_step::x_apart ? 0 : 1;
-    const auto a = enclosing_box(p), b = enclosing_box(q);
+    const auto a = bounding_box(p), b = bounding_box(q);
     return is_empty(a) || is_empty(b) || !(b.low[axis] < a.high[axis]) || !(a.low[axis] < b.high[axis]);
   }
   if (test == newell_step::behind_plane || test == newell_step::in_front_of_plane) {

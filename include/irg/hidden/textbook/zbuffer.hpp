@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The z-buffer as lectures draw it: SetPixel draws what is strictly nearer than what is there; polygons go row by row,
-// their depths by adding -A/C. For reading: draw_triangle and render are fast, and have formats of depths.
+// their depths by adding -A/C. For reading: shade_triangle and render are fast, and have formats of depths.
 #pragma once
 
 #include <vector>
@@ -86,7 +86,7 @@ constexpr bool zbuffer_polygon_perspective(const zbuffer<Order, Screen, Depth>& 
   return zbuffer_polygon(out, picture, v);
 }
 
-/// Draws a face of a picture: the pixels and the depths, bit for bit, of draw_triangle and render.
+/// Draws a face of a picture: the pixels and the depths, bit for bit, of shade_triangle and render.
 template <class Order, class Screen, class Depth>
 constexpr void zbuffer_face(const zbuffer<Order, Screen, Depth>& out, const screen_face& f, const pixel_of<Screen>& v) {
   const triangle_setup setup = set_up_face(f);

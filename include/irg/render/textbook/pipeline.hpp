@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The whole pipeline on one screen: vertices through the matrix and on to the picture, triangles by their edge
-// functions, pixels by their depth. For reading: irg::draw_triangles clips, sorts, and shades only what is seen.
+// functions, pixels by their depth. For reading: irg::shade_triangles clips, sorts, and shades only what is seen.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@ namespace irg::textbook::inline IRG_ABI {
 /// n-th gets the colour shade(n, weights), a pixel_weights<float>.
 /// needs   images of one size; depths cleared to 0, and a matrix that makes them greater where nearer, as perspective
 /// gives   nothing is clipped: a triangle that reaches behind the eye or 2^21 pixels away is left out
-/// exact   coverage as irg::draw_triangles, decided in integers; depths and weights rounded from doubles
+/// exact   coverage as irg::shade_triangles, decided in integers; depths and weights rounded from doubles
 /// source  Pineda 1988; Heckbert and Moreton 1991 for the weights
 template <class Shade>
-constexpr void draw_triangles(std::span<const point<double, 3>> corners, const mat<double, 4, 4>& to_clip,
-                              image<rgba8>& picture, image<float>& depth, const Shade& shade) {
+constexpr void shade_triangles(std::span<const point<double, 3>> corners, const mat<double, 4, 4>& to_clip,
+                               image<rgba8>& picture, image<float>& depth, const Shade& shade) {
   const double half_width = picture.width() / 2.0, half_height = picture.height() / 2.0;
   for (std::size_t n = 0; 3 * n + 2 < corners.size(); ++n) {
     // 1. Vertices: through the matrix, divided by w, on to the picture (y down), rounded to 1/256 pixel.
@@ -41,7 +41,7 @@ constexpr void draw_triangles(std::span<const point<double, 3>> corners, const m
       v[k] = {snap(x), snap(y)};
     }
     // 2. The triangle: twice its area, negative where its back is seen, and the box of its pixels.
-    const std::int64_t area = k == 3 ? signed_double_area(v[2], v[1], v[0]) : 0;
+    const std::int64_t area = k == 3 ? twice_signed_area(v[2], v[1], v[0]) : 0;
     if (area <= 0) continue;
     const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
     const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
@@ -52,7 +52,7 @@ constexpr void draw_triangles(std::span<const point<double, 3>> corners, const m
         bool inside = true;
         for (k = 0; k < 3; ++k) {
           const subpixel from = v[(k + 2) % 3], to = v[(k + 1) % 3];
-          const std::int64_t e = signed_double_area(from, to, {x * one_pixel + half_pixel, y * one_pixel + half_pixel});
+          const std::int64_t e = twice_signed_area(from, to, {x * one_pixel + half_pixel, y * one_pixel + half_pixel});
           inside = inside && (e > 0 || (e == 0 && (to.y < from.y || (to.y == from.y && to.x > from.x))));
           b[k] = static_cast<double>(e) / static_cast<double>(area);
         }

@@ -60,7 +60,7 @@ constexpr void append_body(body_triangles& b, const mesh<T>& m) {
     }
   }
   if (b.fault != surface_fault::none) return;
-  const mesh<T> triangles = triangulate(m);
+  const mesh<T> triangles = triangulated(m);
   for (std::uint32_t i = 0; i < triangles.parts.size(); ++i)
     b.part.insert(b.part.end(), triangles.parts[i].face_count, i);
   b.part.resize(b.triangles.size() + triangles.face_count(), 0);

@@ -94,7 +94,7 @@ constexpr upward_crossings count_upward_crossings(const M& body, const mesh_poin
   upward_crossings count;
   const point<T, 3> from{coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)};
   if (is_finite(from))
-    each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
+    each_solid_triangle(triangulated(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
       count_upward_crossing(a, b, c, from, count);
     });
   return count;

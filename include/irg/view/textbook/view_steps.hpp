@@ -37,7 +37,7 @@ template <Floating T>
 /// exact   sine and cosine within 1.02 ulp
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> view_rotation_z(const point<T, 3>& g1) noexcept {
-  const auto d = try_normalize(vec<T, 2>{g1.x, g1.y});
+  const auto d = try_normalized(vec<T, 2>{g1.x, g1.y});
   if (!d) return identity<T, 4>();
   return {{{d->x, T(0) - d->y, 0, 0}, {d->y, d->x, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 }
@@ -48,7 +48,7 @@ template <Floating T>
 /// exact   sine and cosine within 1.02 ulp
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> view_rotation_y(const point<T, 3>& g2) noexcept {
-  const auto d = try_normalize(vec<T, 2>{g2.z, g2.x});  // cosine, sine
+  const auto d = try_normalized(vec<T, 2>{g2.z, g2.x});  // cosine, sine
   if (!d) return identity<T, 4>();
   return {{{d->x, 0, d->y, 0}, {0, 1, 0, 0}, {T(0) - d->y, 0, d->x, 0}, {0, 0, 0, 1}}};
 }

@@ -16,10 +16,11 @@ namespace irg::textbook {
 
 /// What an eye and a view point amount to.
 enum class [[nodiscard]] view_status {
-  ordinary,
+  ok,
   view_vertical,  // along the scene's z axis, where the lecture divides 0 by 0: sin 0, cos 1 took its place in T2
   eye_at_view_point,  // there is no direction: T2 and T3 are identities, the view goes along the scene's z, H = 0
-  not_finite  // a coordinate is NaN, infinite or beyond a quarter of the largest number: every step is the identity
+  not_finite,  // a coordinate is NaN, infinite or beyond a quarter of the largest number: every step is the identity
+  ordinary [[deprecated("irg: ordinary is now ok")]] = ok
 };
 
 /// The five steps, where they take the view point, and H.
@@ -47,7 +48,7 @@ template <Floating T>
   const vec<T, 3> d = view_point - eye;
   s.status = d == vec<T, 3>{}             ? view_status::eye_at_view_point
              : d.x == T(0) && d.y == T(0) ? view_status::view_vertical
-                                          : view_status::ordinary;
+                                          : view_status::ok;
   s.t1 = view_translation(eye);
   s.g1 = to_point(d);
   s.t2 = view_rotation_z(s.g1);

@@ -154,7 +154,7 @@ constexpr void meet_cuts(sight_arrangement<T>& parts, std::uint32_t i, std::uint
   } else if (ta == 0 || tb == 0) {
     at.at = ta == 0 ? t.a : t.b;
   } else {
-    at.at = *crossing_point(s, t);
+    at.at = *intersection_point(s, t);
     at.is_given = false;
   }
   add_visit(parts, i, at, sides_of(d, ta, tb));

@@ -98,7 +98,7 @@ public:
       : first_(a), second_(b), both_(a.begin(), a.end()) {
     both_.insert(both_.end(), b.begin(), b.end());
     box<T, 3> around{};
-    for (const auto& p : both_) around = enclosing_box(around, p);
+    for (const auto& p : both_) around = bounding_box(around, p);
     for (std::size_t f = 0; f < m.face_count(); ++f) add_face(m, f, around);
   }
 
@@ -135,7 +135,7 @@ private:
     box<T, 3> b{};
     for (std::size_t k = 0; k < m.face_size(f); ++k) {
       face.push_back(m.positions[m.corner(f, k).position]);
-      b = enclosing_box(b, face.back());
+      b = bounding_box(b, face.back());
     }
     if (face.size() < 3) return;
     for (int i = 0; i < 3; ++i)

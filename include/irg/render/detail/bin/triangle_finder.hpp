@@ -352,7 +352,7 @@ constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uin
   if (any.cut != 0)
     return list_clipped<T>(p, number, {clip_position(v, a), clip_position(v, b), clip_position(v, c)}, rules);
   const triangle_corners on_screen{{&v.screen[a], &v.screen[b], &v.screen[c]}};
-  const std::int64_t area = signed_double_area(v.screen[a].position, v.screen[b].position, v.screen[c].position);
+  const std::int64_t area = twice_signed_area(v.screen[a].position, v.screen[b].position, v.screen[c].position);
   if (area > 0 && rules.culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
   count_listing(p, list_triangle(p, number, on_screen, area, rules), rules.skip);
 }

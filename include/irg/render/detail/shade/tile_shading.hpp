@@ -68,7 +68,7 @@ struct shading_setup {
   Shader shader;
 };
 
-// The perspective-correct weights of the pixels from (x, y) on, as draw_triangle has them.
+// The perspective-correct weights of the pixels from (x, y) on, as shade_triangle has them.
 template <class F>
 IRG_INLINE constexpr pixel_weights<F> weights_from(const triangle_setup& s, bool narrow, int x, int y,
                                                    const F& depth) noexcept {

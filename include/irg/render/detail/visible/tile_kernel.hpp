@@ -2,7 +2,7 @@
 // Triangles into a tile: set-up of N triangles at once, coverage and depth of N pixels at once, rejection of whole
 // blocks by the depths that are there already.
 //
-// Each pixel gets the coverage and the depth that draw_triangle gives it, bit for bit, and keeps the nearest triangle,
+// Each pixel gets the coverage and the depth that shade_triangle gives it, bit for bit, and keeps the nearest triangle,
 // of equally near ones the one with the lowest number. Depths are compared as they were rounded where that is sure to
 // give the order of the exact ones; where it is not, the pixel is `close`, and decided apart, exactly. So the order in
 // which triangles come does not matter, and what is rejected could not have been seen.
