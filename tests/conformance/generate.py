@@ -189,6 +189,10 @@ class Vectors:
         self.flow("  ", items)
         self.put("end")
 
+    def rings(self, rings, rule, window):
+        self.flow("  ", [("ring", len(ring), *(c for p in ring for c in p)) for ring in rings])
+        self.put("rule", rule, "window", *window)
+
     def line(self, name, a, b, window, ties="start-side", ends="closed", known=None):
         """known: minor coordinates of the cells, as published for this line."""
         self.begin(name, "line")
@@ -199,9 +203,7 @@ class Vectors:
 
     def fill(self, name, rings, rule, window, count=None):
         self.begin(name, "fill")
-        for ring in rings:
-            self.put("ring", len(ring), *(c for p in ring for c in p))
-        self.put("rule", rule, "window", *window)
+        self.rings(rings, rule, window)
         cells = fill_cells(rings, rule, window)
         assert count is None or len(cells) == count, (name, len(cells))
         self.expect(runs(cells))
@@ -209,9 +211,7 @@ class Vectors:
     def tiling(self, name, tiles, rule, window, whole=None, parts_of=None):
         """whole: a window all of whose cells the tiles have; parts_of: the polygon that they are cut from."""
         self.begin(name, "tiling")
-        for ring in tiles:
-            self.put("ring", len(ring), *(c for p in ring for c in p))
-        self.put("rule", rule, "window", *window)
+        self.rings(tiles, rule, window)
         items, seen = [], set()
         for tile, ring in enumerate(tiles):
             cells = fill_cells([ring], rule, window)

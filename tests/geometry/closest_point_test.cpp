@@ -181,6 +181,7 @@ TEST_CASE("closest_point: half an ulp from the exact nearest point, all magnitud
 
 TEST_CASE_TEMPLATE("closest points: numbers of all sizes", T, double, float) {
   using namespace test::mixed;
+  using test::mixed::squared_distance_of_segments;
   sweep(
       named<T>("closest_point_on_line and on_segment"), 0.501,
       [](test::random& r, sizes which) {

@@ -131,6 +131,7 @@ TEST_CASE("distance: half an ulp from the exact one, all magnitudes") {
 
 TEST_CASE_TEMPLATE("distances: numbers of all sizes", T, double, float) {
   using namespace test::mixed;
+  using test::mixed::squared_distance_of_segments;
   const auto off = [](const std::optional<T>& got, const quotient& squared) {
     if (got.has_value() == (squared.q.sign() == 0)) return wrong;
     return got ? root_error(*got, squared.p, squared.q) : 0.0;

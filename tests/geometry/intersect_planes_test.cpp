@@ -136,6 +136,7 @@ TEST_CASE("intersect_planes: positions against rationals, all magnitudes") {
 
 TEST_CASE_TEMPLATE("intersect_planes: numbers of all sizes", T, double, float) {
   using namespace test::mixed;
+  using test::mixed::determinant;
   sweep(
       named<T>("intersect_planes, the line"), 0.501,
       [](test::random& r, sizes which) {

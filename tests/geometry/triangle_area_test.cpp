@@ -232,6 +232,7 @@ TEST_CASE("worst inputs of the accuracy study") {
 
 TEST_CASE_TEMPLATE("triangle_area: numbers of all sizes", T, double, float) {
   using namespace test::mixed;
+  using test::mixed::number;
   // 1.1 ulp, and 1.6 where subnormal, as a share of the bound.
   const auto share = [](T got, const E& twice) {
     const bool is_subnormal = std::fabs(got) < std::numeric_limits<T>::min();

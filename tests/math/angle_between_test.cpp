@@ -8,6 +8,7 @@
 
 #include <irg/math/constants.hpp>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/ulp.hpp"
@@ -160,4 +161,51 @@ TEST_CASE("angle_between: from 1e-300 to pi, lengths from 2^-500 to 2^500, again
   CHECK(worst_flat <= 4);
   MESSAGE("angle_between ", worst, " ulp near 0, ", worst_obtuse, " near pi, ", worst_flat, " in the plane");
 }
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+using test::mixed::wide;
+
+template <class T>
+void set_cross_length(mpfr_ptr out, const vec<T, 3>& a, const vec<T, 3>& b) {
+  static wide<T> minor;
+  static test::real square;
+  mpfr_set_zero(out, 1);
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    mpfr_set_zero(minor, 1);
+    add_product(minor, static_cast<double>(a[i]), b[j]);
+    add_product(minor, -static_cast<double>(a[j]), b[i]);
+    mpfr_set(square, minor, MPFR_RNDN);
+    mpfr_fma(out, square, square, out, MPFR_RNDN);
+  }
+  mpfr_sqrt(out, out, MPFR_RNDN);
+}
+
+template <class T, int N>
+void sweep_angles(const std::string& type) {
+  test::real across, along, exact;
+  sweep("angle_between, " + type, 4, [&](test::random& r, sizes which) {
+    const auto b = vector<T, N>(r, which), a = beside<T, N>(r, b, all_sizes[r.integer(0, 3)]);
+    const auto in_space = [](const vec<T, N>& v) { return vec<T, 3>{v[0], v[1], N == 3 ? v[N - 1] : T(0)}; };
+    set_cross_length(across, in_space(a), in_space(b));
+    set_dot(along, a, b);
+    mpfr_atan2(exact, across, along, MPFR_RNDN);
+    if (a == vec<T, N>{} || b == vec<T, N>{}) mpfr_set_zero(exact, 1);
+    return test::ulp_error(irg::angle_between(a, b), exact);
+  });
+}
+
+TEST_CASE("angle_between: numbers of all sizes") {
+  sweep_angles<double, 3>("3 doubles");
+  sweep_angles<double, 2>("2 doubles");
+  sweep_angles<float, 3>("3 floats");
+  sweep_angles<float, 2>("2 floats");
+}
+
+}  // namespace sweeps
+}  // namespace
+
 #endif

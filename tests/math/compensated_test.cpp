@@ -6,6 +6,7 @@
 
 #include <irg/math/vec.hpp>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
 #include "support/ulp.hpp"
@@ -263,6 +264,92 @@ TEST_CASE("compensated: the bound of long and of cancelling sums") {
   CHECK(worst <= 1);
   CHECK(worst_dot <= 1);
 }
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+
+template <class T>
+void sweep_sums() {
+  const auto within = [](T got, const big_rational& want, const big_rational& size) {
+    const double ulp = test::error_in_ulp(got, want);
+    if (ulp <= 1 || size < abs(want) * big_rational(1e14)) return ulp;
+    return abs(rational(got) - want) < size * big_rational(0x1p-100) ? 1 : ulp;
+  };
+  sweep("sum_accurate", 1, [](test::random& r, sizes which) {
+    std::array<T, 6> x{};
+    big_rational sum = 0, size = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      x[i] = i > 3 && r.integer(0, 1) == 0 ? -x[i - 3] * static_cast<T>(1 + r.unit() * 0x1p-20) : number<T>(r, which);
+      sum = sum + rational(x[i]), size = size + abs(rational(x[i]));
+    }
+    return size < abs(sum) * big_rational(1e14) ? test::error_in_ulp(irg::sum_accurate(std::span<const T>(x)), sum) : 0;
+  });
+  sweep("dot_accurate", 1, [&](test::random& r, sizes which) {
+    const auto a = vector<T, 3>(r, which), b = beside<T, 3>(r, a, all_sizes[r.integer(0, 3)]);
+    big_rational dot = 0, size = 0;
+    for (int i = 0; i < 3; ++i) {
+      dot = dot + rational(a[i]) * rational(b[i]);
+      size = size + abs(rational(a[i]) * rational(b[i])) * 2;
+    }
+    return within(dot_accurate(a, b), dot, size);
+  });
+  // The plain ones: the error in the stated units, where no product underflows.
+  sweep("dot_fast, cross_fast", 1, [](test::random& r, sizes which) {
+    const auto a = vector<T, 3>(r, which), b = vector<T, 3>(r, which);
+    big_rational dot = 0, size = 0, product[3][3];
+    const big_rational u = rational(std::numeric_limits<T>::epsilon() / 2);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        product[i][j] = rational(a[i]) * rational(b[j]);
+        if (!is_inside<T>(product[i][j])) return 0.0;
+        if (i == j) dot = dot + product[i][j], size = size + abs(product[i][j]);
+      }
+    // Coordinates that are zero leave nothing to be off by.
+    const auto share = [](const big_rational& off, const big_rational& bound) {
+      return off.sign() == 0 ? 0.0 : bound.sign() == 0 ? 1e9 : (off / bound).rounded();
+    };
+    double worst = share(abs(rational(dot_fast(a, b)) - dot), size * u * 3);
+    const auto cross = cross_fast(a, b);
+    for (int k = 0; k < 3; ++k) {
+      const big_rational& left = product[(k + 1) % 3][(k + 2) % 3];
+      const big_rational& right = product[(k + 2) % 3][(k + 1) % 3];
+      const big_rational off = abs(rational(cross[k]) - (left - right));
+      worst = std::fmax(worst, share(off, (abs(left) + abs(right)) * u * 2));
+    }
+    return worst;
+  });
+}
+
+TEST_CASE_TEMPLATE("sums and products: numbers of all sizes", T, double, float) {
+  const auto missed = [](T got, const big_rational& want) { return got == test::nearest<T>(want) ? 0.0 : 1.0; };
+  sweep("sum_exact", 0, [&](test::random& r, sizes which) {
+    std::array<T, 5> x{};
+    big_rational sum = 0;
+    for (T& v : x) {
+      v = number<T>(r, which);
+      sum = sum + rational(v);
+    }
+    return missed(irg::sum_exact(std::span<const T>(x)), sum);
+  });
+  sweep("dot_exact", 0, [&](test::random& r, sizes which) {
+    const auto a = vector<T, 3>(r, which), b = vector<T, 3>(r, all_sizes[r.integer(0, 3)]);
+    big_rational sum = 0;
+    for (int i = 0; i < 3; ++i) sum = sum + rational(a[i]) * rational(b[i]);
+    return missed(dot_exact(a, b), sum);
+  });
+  sweep("cross_accurate", 1, [&](test::random& r, sizes which) {
+    const auto a = vector<T, 3>(r, which), b = vector<T, 3>(r, which);
+    const auto c = cross_accurate(a, b);
+    return test::error_in_ulp(c[0], rational(a[1]) * rational(b[2]) - rational(a[2]) * rational(b[1]));
+  });
+  sweep_sums<T>();
+}
+
+}  // namespace sweeps
+}  // namespace
+
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif

@@ -4,6 +4,7 @@
 #include <irg/math/inverse.hpp>
 #include <irg/math/mat.hpp>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/ulp.hpp"
 
@@ -174,6 +175,77 @@ TEST_CASE("double_double: errors against MPFR") {
   check(measure<double>(test::count_of(20000), 200));
   check(measure<float>(test::count_of(20000), 20));
 }
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+using test::mixed::rational;
+
+// A number in two words; the second is of any size that goes with the first one.
+template <class T>
+irg::double_word<T> two_words(test::random& r, sizes which) {
+  const T high = number<T>(r, which);
+  const T half_place = (std::nextafter(std::fabs(high), T(HUGE_VAL)) - std::fabs(high)) / 2;
+  const int down = r.integer(0, 1) == 0 ? 0 : static_cast<int>(r.integer(0, 60));
+  const auto words = irg::two_sum(high, static_cast<T>(std::ldexp(half_place, -down) * static_cast<T>(r.unit() - 0.5)));
+  return {words.value, words.error};
+}
+template <class T>
+big_rational rational(const irg::double_word<T>& x) {
+  return rational(x.high) + rational(x.low);
+}
+// The relative error in units of u^2; 0 where the absolute one is at most twice the smallest number.
+template <class T>
+double error_in_words(const irg::double_word<T>& got, const big_rational& want) {
+  if (!std::isfinite(got.high)) return test::error_in_ulp(got.high, want);
+  if (got.high != got.high + got.low) return 1e9;
+  const big_rational off = abs(rational(got) - want);
+  if (!(rational(2 * std::numeric_limits<T>::denorm_min()) < off)) return 0;
+  if (want.sign() == 0) return 1e9;
+  return (off / abs(want)).times_power_of_two(2 * std::numeric_limits<T>::digits).rounded();
+}
+
+template <class T>
+void sweep_double_words() {
+  using words = irg::double_word<T>;
+  const auto binary = [](const char* what, double bound, auto f) {
+    sweep(what, bound, [&](test::random& r, sizes which) {
+      const words x = two_words<T>(r, which), y = two_words<T>(r, r.integer(0, 1) == 0 ? which : sizes::one_apart);
+      return f(x, y);
+    });
+  };
+  const auto error = [](const words& got, const big_rational& want) { return error_in_words(got, want); };
+  binary("double_word, sum", 3.001, [&](words x, words y) { return error(x + y, rational(x) + rational(y)); });
+  binary("double_word, difference", 3.001, [&](words x, words y) { return error(x - y, rational(x) - rational(y)); });
+  binary("double_word, product", 5, [&](words x, words y) { return error(x * y, rational(x) * rational(y)); });
+  binary("double_word, sum with one word", 2,
+         [&](words x, words y) { return error(x + y.high, rational(x) + rational(y.high)); });
+  binary("double_word, product with one word", 3,
+         [&](words x, words y) { return error(x * y.high, rational(x) * rational(y.high)); });
+  binary("double_word, quotient", 15.001, [&](words x, words y) {
+    if (y.high == 0) return 0.0;
+    return error(x / y, rational(x) / rational(y));
+  });
+  test::real exact, off;
+  sweep("double_word, root", 25.0 / 8, [&](test::random& r, sizes which) {
+    const words x = abs(two_words<T>(r, which)), got = sqrt(x);
+    mpfr_set_d(exact, static_cast<double>(x.high), MPFR_RNDN);
+    mpfr_add_d(exact, exact, static_cast<double>(x.low), MPFR_RNDN);
+    mpfr_sqrt(exact, exact, MPFR_RNDN);
+    mpfr_sub_d(off, exact, static_cast<double>(got.high), MPFR_RNDN);
+    mpfr_sub_d(off, off, static_cast<double>(got.low), MPFR_RNDN);
+    if (x.high == 0) return got.high == 0 ? 0 : 1e9;
+    mpfr_div(off, off, exact, MPFR_RNDN);
+    return std::fabs(std::ldexp(mpfr_get_d(off, MPFR_RNDN), 2 * std::numeric_limits<T>::digits));
+  });
+}
+
+TEST_CASE_TEMPLATE("double_word: numbers of all sizes", T, double, float) { sweep_double_words<T>(); }
+
+}  // namespace sweeps
+}  // namespace
+
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif

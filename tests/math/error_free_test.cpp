@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/ulp.hpp"
 
@@ -241,4 +242,58 @@ TEST_CASE("difference of products: both ends of the range") {
   CHECK(worst_large <= 0.51);
   CHECK(worst_small <= 2);
 }
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+
+// What difference_of_products gives: 1e9 where it is no number, else its error in ulp, less what underflow may add.
+template <class T>
+double error_of_difference(T a, T b, T c, T d) {
+  const big_rational left = rational(a) * rational(b), right = rational(c) * rational(d), want = left - right;
+  const T got = irg::difference_of_products(a, b, c, d);
+  if (want.sign() == 0) return got == 0 ? 0 : 1e9;
+  const big_rational least(0x1p-900);
+  const bool is_small = sizeof(T) == 8 && abs(left) < least && abs(right) < least;
+  if (is_small && std::isfinite(got) && !(big_rational(0x1p-1073) < abs(rational(got) - want))) return 0;
+  return test::error_in_ulp(got, want);
+}
+
+TEST_CASE_TEMPLATE("errors of sums and products: numbers of all sizes", T, double, float) {
+  const auto missing = [](T value, T error, const big_rational& want) {
+    return rational(value) + rational(error) == want && value == test::nearest<T>(want) ? 0.0 : 1.0;
+  };
+  sweep("two_sum", 0, [&](test::random& r, sizes which) {
+    const T a = number<T>(r, which), b = number<T>(r, all_sizes[r.integer(0, 3)]);
+    const auto sum = irg::two_sum(a, b),
+               fast = std::fabs(a) < std::fabs(b) ? irg::fast_two_sum(b, a) : irg::fast_two_sum(a, b);
+    const big_rational want = rational(a) + rational(b);
+    return missing(sum.value, sum.error, want) + missing(fast.value, fast.error, want);
+  });
+  sweep("two_product", 0, [&](test::random& r, sizes which) {
+    const T a = number<T>(r, which), b = number<T>(r, all_sizes[r.integer(0, 3)]);
+    const auto got = irg::two_product(a, b);
+    const big_rational want = rational(a) * rational(b);
+    if (!std::isfinite(got.value)) return got.error == 0 && got.value == test::nearest<T>(want) ? 0.0 : 1.0;
+    return got.value == test::nearest<T>(want) && got.error == test::nearest<T>(want - rational(got.value)) ? 0.0 : 1.0;
+  });
+  sweep("split", 0, [&](test::random& r, sizes which) {
+    const T x = number<T>(r, which);
+    if (std::fabs(x) > (sizeof(T) == 8 ? T(0x1p995) : T(0x1p114))) return 0.0;
+    const auto [high, low] = irg::split(x);
+    return missing(high, low, rational(x)) == 0 || rational(high) + rational(low) == rational(x) ? 0.0 : 1.0;
+  });
+  sweep("difference_of_products", 1, [&](test::random& r, sizes which) {
+    const T a = number<T>(r, which), b = number<T>(r, all_sizes[r.integer(0, 3)]);
+    if (r.integer(0, 2) > 0) return error_of_difference(a, b, number<T>(r, which), number<T>(r, which));
+    const T factor = std::ldexp(T(1), static_cast<int>(r.integer(-20, 0)));  // nearly the same product
+    return std::fabs(a) < 1 ? error_of_difference(a, b, std::nextafter(a, T(0)) / factor, b * factor)
+                            : error_of_difference(a, b, std::nextafter(a, T(0)) * factor, b);
+  });
+}
+
+}  // namespace sweeps
+}  // namespace
+
 #endif

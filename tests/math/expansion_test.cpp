@@ -3,6 +3,7 @@
 
 #include <irg/math/exact_sum.hpp>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/ulp.hpp"
 
@@ -108,3 +109,58 @@ TEST_CASE("expansion: operations give the exact number in proper form") {
     CHECK(same_number(p + d, grown));
   }
 }
+
+#ifdef IRG_HAVE_MPFR
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+using test::mixed::rational;
+
+template <class T, int N>
+big_rational rational(const irg::expansion<T, N>& e) {
+  big_rational sum = 0;
+  for (int i = 0; i < e.size; ++i) sum = sum + rational(e.parts[i]);
+  return sum;
+}
+// A number of such a size that products of n of them are exact in expansions.
+template <class T>
+T number_for_products(test::random& r, sizes which, int n) {
+  constexpr int low = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;
+  constexpr int high = sizeof(T) == 8 ? 1000 : 120;
+  for (;;) {
+    const T x = number<T>(r, which == sizes::subnormal ? sizes::all : which);
+    if (x == 0 || (std::fabs(x) <= std::ldexp(T(1), high / n) &&
+                   std::fabs(x) >= std::ldexp(T(1), std::numeric_limits<T>::digits + low / n)))
+      return x;
+    if (which == sizes::roots_of_largest) return std::ldexp(x, -std::ilogb(x));
+  }
+}
+
+TEST_CASE_TEMPLATE("expansion: numbers of all sizes", T, double, float) {
+  sweep("expansion, sums", 1, [](test::random& r, sizes which) {
+    irg::expansion<T, 4> e{};
+    big_rational want = 0;
+    const T a = number<T>(r, which), b = number<T>(r, which), c = number<T>(r, which), d = number<T>(r, which);
+    e = irg::exact_sum_of(a, b) + irg::exact_difference_of(c, d);
+    want = rational(a) + rational(b) + rational(c) - rational(d);
+    if (!(rational(e) == want) || sign(e) != want.sign() || !(rational(compress(e)) == want)) return 1e9;
+    const auto small = compress(e);
+    const T last = small.size == 0 ? T(0) : small.parts[small.size - 1];
+    return std::fmax(test::error_in_ulp(estimate(e), want), test::error_in_ulp(last, want));
+  });
+  sweep("expansion, products", 1, [](test::random& r, sizes which) {
+    const T a = number_for_products<T>(r, which, 4), b = number_for_products<T>(r, which, 4);
+    const T c = number_for_products<T>(r, which, 4), d = number_for_products<T>(r, which, 4);
+    const auto e = (irg::exact_product_of(a, b) + d * d) * (irg::exact_sum_of(c, d) * a);
+    const big_rational want = (rational(a) * rational(b) + rational(d * d)) * (rational(c) + rational(d)) * rational(a);
+    if (!(rational(e) == want) || sign(e) != want.sign()) return 1e9;
+    return test::error_in_ulp(estimate(e), want);
+  });
+}
+
+}  // namespace sweeps
+}  // namespace
+
+#endif

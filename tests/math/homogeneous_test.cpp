@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -92,3 +93,65 @@ TEST_CASE("homogeneous: equality is exact") {
     CHECK(!same_position(f, g));
   }
 }
+
+#ifdef IRG_HAVE_MPFR
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+using test::mixed::rational;
+
+template <class T, int N>
+void sweep_homogeneous() {
+  using H = irg::hpoint<T, N>;
+  const auto any = [](test::random& r, sizes which) {
+    H p{};
+    for (int i = 0; i <= N; ++i) p[i] = r.integer(0, 9) == 0 ? T(0) : number<T>(r, which);
+    return p;
+  };
+  sweep("try_to_cartesian", 0, [&](test::random& r, sizes which) {
+    const H p = any(r, which);
+    const auto got = try_to_cartesian(p);
+    bool fits = p[N] != 0, right = true;
+    for (int i = 0; fits && i < N; ++i) {
+      const T want = test::nearest<T>(rational(p[i]) / rational(p[N]));
+      fits = std::isfinite(want);
+      right = right && (!got || (*got)[i] == want);
+    }
+    return fits == got.has_value() && (!fits || right) ? 0 : 1;
+  });
+  sweep("to_homogeneous", 0, [&](test::random& r, sizes which) {
+    const auto v = vector<T, N>(r, which);
+    const T h = number<T>(r, all_sizes[r.integer(0, 3)]);
+    if (h == 0) return 0;
+    const H p = to_homogeneous(irg::to_point(v), h);
+    bool right = p[N] == h;
+    for (int i = 0; i < N; ++i) right = right && p[i] == test::nearest<T>(rational(v[i]) * rational(h));
+    return right ? 0 : 1;
+  });
+  sweep("same_position", 0, [&](test::random& r, sizes which) {
+    const H p = any(r, which);
+    H q = any(r, which);
+    if (r.integer(0, 2) > 0) {  // p times a number, each coordinate rounded
+      const T factor = r.integer(0, 1) == 0 ? T(3) : std::ldexp(T(1), static_cast<int>(r.integer(-100, 100)));
+      for (int i = 0; i <= N; ++i) q[i] = p[i] * factor;
+    }
+    bool finite = true, p_is_zero = true, q_is_zero = true, same = true;
+    for (int i = 0; i <= N; ++i) {
+      finite = finite && std::isfinite(q[i]);
+      p_is_zero = p_is_zero && p[i] == 0;
+      q_is_zero = q_is_zero && q[i] == 0;
+    }
+    for (int i = 0; finite && i <= N; ++i)
+      for (int j = 0; j < i; ++j) same = same && rational(p[i]) * rational(q[j]) == rational(p[j]) * rational(q[i]);
+    return same_position(p, q) == (finite && same && !p_is_zero && !q_is_zero) ? 0 : 1;
+  });
+}
+
+TEST_CASE_TEMPLATE("homogeneous coordinates: numbers of all sizes", T, double, float) { sweep_homogeneous<T, 3>(); }
+
+}  // namespace sweeps
+}  // namespace
+
+#endif

@@ -3,6 +3,7 @@
 
 #include <irg/math/mat.hpp>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/ulp.hpp"
 
@@ -197,6 +198,110 @@ TEST_CASE("interval: ends against MPFR's directed rounding") {
     MESSAGE("ends wider than need be: ", of_doubles.wider, " of ", of_doubles.all);
   }
 }
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+
+// Whether x is the nearest number not below `want`, or is one further out where `may_be_further` and so it may be.
+template <class T>
+double outward_error(T upper, const big_rational& want, bool may_be_further) {
+  constexpr T largest = std::numeric_limits<T>::max();
+  if (upper != upper || (std::isfinite(upper) && rational(upper) < want)) return 1e9;
+  if (upper < -largest) return 1e9;
+  const T below = std::nextafter(upper, T(-HUGE_VAL));
+  if (!std::isfinite(below) || rational(below) < want) return 0;
+  const T twice = std::nextafter(below, T(-HUGE_VAL));
+  return may_be_further && (!std::isfinite(twice) || rational(twice) < want) ? 0 : 1;
+}
+template <class T>
+double outward_error(const irg::interval<T>& got, const big_rational& low, const big_rational& high, bool further) {
+  return std::fmax(outward_error(got.upper(), high, further), outward_error(-got.lower(), -low, further));
+}
+template <class T>
+irg::interval<T> any_interval(test::random& r, sizes which) {
+  const T a = number<T>(r, which), b = r.integer(0, 3) == 0 ? a : number<T>(r, which);
+  return {std::fmin(a, b), std::fmax(a, b)};
+}
+// The least and the greatest of f at the ends of two intervals, and whether an operation may miss the nearest end.
+struct ends {
+  big_rational low, high;
+  bool further = false;
+};
+template <class T, class F>
+ends ends_of(const irg::interval<T>& a, const irg::interval<T>& b, F f) {
+  ends e;
+  bool first = true;
+  for (const T x : {a.lower(), a.upper()})
+    for (const T y : {b.lower(), b.upper()}) {
+      const big_rational value = f(rational(x), rational(y)), size = abs(value);
+      e.low = first || value < e.low ? value : e.low;
+      e.high = first || e.high < value ? value : e.high;
+      first = false;
+      if (sizeof(T) == 8)
+        e.further = e.further || size < big_rational(0x1p-900) || big_rational(0x1p1020) < size ||
+                    std::fabs(static_cast<double>(x)) > 0x1p1020;
+    }
+  return e;
+}
+
+template <class T>
+void sweep_intervals() {
+  using interval = irg::interval<T>;
+  const auto binary = [](const char* what, auto f) {
+    sweep(what, 0, [&](test::random& r, sizes which) {
+      return f(any_interval<T>(r, which), any_interval<T>(r, all_sizes[r.integer(0, 3)]));
+    });
+  };
+  binary("interval, sum", [](const interval& a, const interval& b) {
+    return outward_error(a + b, rational(a.lower()) + rational(b.lower()), rational(a.upper()) + rational(b.upper()),
+                         false);
+  });
+  binary("interval, difference", [](const interval& a, const interval& b) {
+    return outward_error(a - b, rational(a.lower()) - rational(b.upper()), rational(a.upper()) - rational(b.lower()),
+                         false);
+  });
+  binary("interval, width", [](const interval& a, const interval&) {
+    return outward_error(width(a), rational(a.upper()) - rational(a.lower()), false);
+  });
+  binary("interval, product", [](const interval& a, const interval& b) {
+    const ends e = ends_of(a, b, [](const big_rational& x, const big_rational& y) { return x * y; });
+    return outward_error(a * b, e.low, e.high, e.further);
+  });
+  binary("interval, quotient", [](const interval& a, const interval& b) {
+    if (contains(b, T(0)))
+      return b.lower() < 0 && b.upper() > 0 && a != interval() ? a / b == interval::whole() ? 0.0 : 1.0 : 0.0;
+    const ends e = ends_of(a, b, [](const big_rational& x, const big_rational& y) { return x / y; });
+    return outward_error(a / b, e.low, e.high, e.further);
+  });
+  binary("interval, square", [](const interval& a, const interval&) {
+    const ends e = ends_of(a, a, [](const big_rational& x, const big_rational& y) { return x * y; });
+    const T inner = contains(a, T(0)) ? T(0) : std::fmin(std::fabs(a.lower()), std::fabs(a.upper()));
+    return outward_error(square(a), rational(inner) * rational(inner), e.high, e.further);
+  });
+  binary("interval, middle", [](const interval& a, const interval&) { return contains(a, middle(a)) ? 0.0 : 1.0; });
+  test::real root;
+  sweep("interval, root", 0, [&](test::random& r, sizes which) {
+    const T x = std::fabs(number<T>(r, which));
+    const interval got = sqrt(interval(x));
+    mpfr_set_d(root, static_cast<double>(x), MPFR_RNDN);
+    mpfr_sqrt(root, root, MPFR_RNDN);
+    const auto rounded = [&](mpfr_rnd_t mode) {
+      return sizeof(T) == 8 ? mpfr_get_d(root, mode) : static_cast<double>(mpfr_get_flt(root, mode));
+    };
+    return static_cast<double>(got.lower()) == rounded(MPFR_RNDD) &&
+                   static_cast<double>(got.upper()) == rounded(MPFR_RNDU)
+               ? 0.0
+               : 1.0;
+  });
+}
+
+TEST_CASE_TEMPLATE("interval: numbers of all sizes", T, double, float) { sweep_intervals<T>(); }
+
+}  // namespace sweeps
+}  // namespace
+
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/ulp.hpp"
@@ -159,3 +160,90 @@ TEST_CASE("scaled_near_one: the largest coordinate is from 1 to below 4, the oth
   }
   CHECK(wrong == 0);
 }
+
+#ifdef IRG_HAVE_MPFR
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+
+template <class T, int N>
+void sweep_vectors(const std::string& type, double length_bound, double unit_bound) {
+  test::real length_of_v, square, quotient;
+  const auto measure = [&](const vec<T, N>& v) {
+    mpfr_set_zero(length_of_v, 1);
+    for (int i = 0; i < N; ++i) {
+      mpfr_set_d(square, static_cast<double>(v[i]), MPFR_RNDN);
+      mpfr_sqr(square, square, MPFR_RNDN);
+      mpfr_add(length_of_v, length_of_v, square, MPFR_RNDN);
+    }
+    mpfr_sqrt(length_of_v, length_of_v, MPFR_RNDN);
+  };
+  sweep("length, " + type, length_bound, [&](test::random& r, sizes which) {
+    const auto v = vector<T, N>(r, which);
+    measure(v);
+    return test::ulp_error(length(v), length_of_v);
+  });
+  sweep("try_normalize, " + type, unit_bound, [&](test::random& r, sizes which) {
+    const auto v = vector<T, N>(r, which);
+    const auto unit = try_normalize(v);
+    measure(v);
+    double worst = 0;
+    for (int i = 0; unit && i < N; ++i) {
+      mpfr_d_div(quotient, static_cast<double>(v[i]), length_of_v, MPFR_RNDN);
+      worst = std::fmax(worst, test::ulp_error((*unit)[i], quotient));
+    }
+    return worst;
+  });
+}
+
+// A vector whose largest coordinate is of the sizes that the fast functions are for.
+template <class T, int N>
+vec<T, N> vector_of_moderate_length(test::random& r, sizes which) {
+  constexpr int reach = sizeof(T) == 8 ? 499 : 59;
+  auto v = vector<T, N>(r, which);
+  int largest = 0;
+  for (int i = 1; i < N; ++i)
+    if (std::fabs(v[i]) > std::fabs(v[largest])) largest = i;
+  if (v[largest] == 0) return v;
+  const int by = std::max(-reach, std::min(reach, std::ilogb(v[largest]))) - std::ilogb(v[largest]);
+  for (int i = 0; i < N; ++i) v[i] = std::ldexp(v[i], by);
+  return v;
+}
+template <class T>
+void sweep_fast_lengths() {
+  test::real exact, quotient;
+  sweep("length_fast", 1.26, [&](test::random& r, sizes which) {
+    const auto v = vector_of_moderate_length<T, 3>(r, which);
+    set_length(exact, v);
+    return test::ulp_error(length_fast(v), exact);
+  });
+  sweep("normalized_fast", 5, [&](test::random& r, sizes which) {
+    const auto v = vector_of_moderate_length<T, 3>(r, which), unit = normalized_fast(v);
+    if (v == vec<T, 3>{}) return unit == v ? 0.0 : 1e9;
+    set_length(exact, v);
+    double worst = 0;
+    for (int i = 0; i < 3; ++i) {
+      mpfr_d_div(quotient, static_cast<double>(v[i]), exact, MPFR_RNDN);
+      worst = std::fmax(worst, test::ulp_error(unit[i], quotient));
+    }
+    return worst;
+  });
+}
+
+TEST_CASE("length, try_normalize: numbers of all sizes") {
+  sweep_vectors<double, 2>("2 doubles", 0.501, 1.51);
+  sweep_vectors<double, 3>("3 doubles", 0.501, 1.51);
+  sweep_vectors<double, 4>("4 doubles", 0.501, 1.51);
+  sweep_vectors<double, 6>("6 doubles", 0.501, 1.51);
+  sweep_vectors<float, 3>("3 floats", 0.501, 0.51);
+  sweep_vectors<float, 4>("4 floats", 0.501, 0.51);
+}
+
+TEST_CASE_TEMPLATE("length_fast, normalized_fast: numbers of all sizes", T, double, float) { sweep_fast_lengths<T>(); }
+
+}  // namespace sweeps
+}  // namespace
+
+#endif

@@ -6,6 +6,7 @@
 
 #include <irg/math/double_double.hpp>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/ulp.hpp"
 
@@ -128,6 +129,75 @@ TEST_CASE("polynomial: values against MPFR, near roots and over the whole range"
   MESSAGE("evaluate_polynomial_accurate ", worst, " ulp on ", compared, ", any doubles ", worst_far);
   mpfr_clear(exact), mpfr_clear(size);
 }
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+
+template <class T>
+void sweep_polynomials() {
+  sweep("evaluate_polynomial, values and derivatives", 1, [](test::random& r, sizes which) {
+    std::array<T, 4> c{};
+    for (T& v : c) v = number<T>(r, which);
+    const T x = number<T>(r, sizes::one_apart);
+    const auto got = irg::evaluate_polynomial_with_derivative(c, x);
+    big_rational value = 0, slope = 0, size = 0, slope_size = 0;
+    bool is_usual = got.value == irg::evaluate_polynomial(c, x);
+    if (!is_usual) return 1e9;
+    for (std::size_t i = 4; i-- > 0;) {
+      is_usual = is_usual && is_inside<T>(slope * rational(x)) && is_inside<T>(value * rational(x));
+      slope = slope * rational(x) + value, slope_size = slope_size * abs(rational(x)) + size;
+      value = value * rational(x) + rational(c[i]), size = size * abs(rational(x)) + abs(rational(c[i]));
+      is_usual = is_usual && is_inside<T>(slope) && is_inside<T>(value);
+    }
+    if (!is_usual || size.sign() == 0 || slope_size.sign() == 0) return 0.0;
+    const big_rational bound = rational(std::numeric_limits<T>::epsilon()) * 3;  // 2n u
+    return std::fmax((abs(rational(got.value) - value) / (size * bound)).rounded(),
+                     (abs(rational(got.derivative) - slope) / (slope_size * bound)).rounded());
+  });
+  sweep("evaluate_polynomial_accurate", 1, [](test::random& r, sizes which) {
+    std::array<T, 4> c{};
+    for (T& v : c) v = number<T>(r, which);
+    const T x = number<T>(r, sizes::one_apart);
+    big_rational value = 0, size = 0;
+    for (std::size_t i = 4; i-- > 0;) {
+      value = value * rational(x) + rational(c[i]);
+      size = size * abs(rational(x)) + abs(rational(c[i]));
+    }
+    const T got = irg::evaluate_polynomial_accurate(c, x);
+    const double ulp = test::error_in_ulp(got, value);
+    if (ulp <= 1 || size < abs(value) * big_rational(1e14)) return ulp;
+    const big_rational bound = abs(value) * rational(std::numeric_limits<T>::epsilon()) + size * big_rational(0x9p-104);
+    return abs(rational(got) - value) < bound ? 1 : ulp;
+  });
+  sweep("polynomial_sign", 0, [](test::random& r, sizes which) {
+    std::array<T, 3> c{};
+    for (T& v : c) v = number<T>(r, which);
+    const T x = number<T>(r, sizes::one_apart);
+    if (r.integer(0, 1) == 0) c[0] = static_cast<T>(-(c[1] + c[2] * x) * x);
+    if (!std::isfinite(c[0])) return 0;
+    const big_rational value = (rational(c[2]) * rational(x) + rational(c[1])) * rational(x) + rational(c[0]);
+    return irg::polynomial_sign(c, x) == value.sign() ? 0 : 1;
+  });
+}
+
+TEST_CASE_TEMPLATE("polynomials: numbers of all sizes", T, double, float) {
+  const auto missed = [](T got, const big_rational& want) { return got == test::nearest<T>(want) ? 0.0 : 1.0; };
+  sweep("evaluate_polynomial_exact", 0, [&](test::random& r, sizes which) {
+    std::array<T, 4> c{};
+    for (T& v : c) v = number<T>(r, which);
+    const T x = number<T>(r, sizes::one_apart);
+    big_rational value = 0;
+    for (std::size_t i = 4; i-- > 0;) value = value * rational(x) + rational(c[i]);
+    return missed(irg::evaluate_polynomial_exact(c, x), value);
+  });
+  sweep_polynomials<T>();
+}
+
+}  // namespace sweeps
+}  // namespace
+
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/math/roots.hpp>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/ulp.hpp"
 
@@ -303,6 +304,113 @@ TEST_CASE("roots: cubic roots are enclosed by their neighbours") {
           " too near to each other to be told apart; equations with 1, 2, 3 roots: ", counts[1], ", ", counts[2], ", ",
           counts[3]);
 }
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+using test::mixed::number;
+
+// The roots of a quadratic equation by their sum of larger size, which does not cancel, and by Vieta's product.
+template <class T>
+double error_of_roots(T a, T b, T c, const irg::real_roots<T, 2>& got) {
+  static wide<T> discriminant;
+  static test::real root[2], sum;
+  mpfr_set_zero(discriminant, 1);
+  add_product(discriminant, static_cast<double>(b), b);
+  add_product(discriminant, -4.0, a, c);
+  const int sign = sign_of(discriminant), count = sign < 0 ? 0 : sign + 1;
+  if (got.count != count || (count == 1 && got.multiplicity[0] != 2)) return 1e9;
+  if (count == 0) return got.kind == irg::roots_kind::none ? 0 : 1e9;
+  mpfr_sqrt(sum, discriminant, MPFR_RNDN);
+  if (b > 0) mpfr_neg(sum, sum, MPFR_RNDN);
+  mpfr_sub_d(sum, sum, static_cast<double>(b), MPFR_RNDN);
+  mpfr_div_2ui(sum, sum, 1, MPFR_RNDN);
+  mpfr_div_d(root[0], sum, static_cast<double>(a), MPFR_RNDN);
+  if (count == 1 || c == 0)
+    mpfr_set_zero(root[1], 1);
+  else
+    mpfr_d_div(root[1], static_cast<double>(c), sum, MPFR_RNDN);
+  if (count == 1) return test::ulp_error(got.root[0], root[0]);
+  const bool ascending = mpfr_cmp(root[0], root[1]) <= 0;
+  const auto error = [](T x, mpfr_ptr want) {
+    const double ulp = test::ulp_error(x, want);
+    return std::fabs(x) < std::numeric_limits<T>::min() && ulp <= 1 ? 0 : ulp;  // subnormal ones within 1
+  };
+  return std::fmax(error(got.root[ascending ? 0 : 1], root[0]), error(got.root[ascending ? 1 : 0], root[1]));
+}
+
+template <class T>
+void sweep_quadratics() {
+  sweep("quadratic_roots", sizeof(T) == 8 ? 0.51 : 0.501, [](test::random& r, sizes which) {
+    const T a = number<T>(r, which), b = number<T>(r, which);
+    T c = number<T>(r, which);
+    if (r.integer(0, 3) == 0) c = b / a * b / 4;  // nearly a double root
+    if (!std::isfinite(c)) return 0.0;
+    const auto got = irg::quadratic_roots(a, b, c);
+    if (a == 0) return got.kind == irg::roots_kind::linear || b == 0 ? 0.0 : 1e9;
+    return error_of_roots(a, b, c, got);
+  });
+  sweep("quadratic_roots_fast", 3, [](test::random& r, sizes which) {
+    const T a = number<T>(r, which), b = number<T>(r, which), c = number<T>(r, which);
+    const auto is_moderate = [](const big_rational& x) {
+      return sizeof(T) == 4 || x.sign() == 0 || (big_rational(0x1p-900) < abs(x) && abs(x) < big_rational(0x1p1000));
+    };
+    if (a == 0 || !is_moderate(rational(a) * rational(c)) || !is_moderate(rational(b) * rational(b))) return 0.0;
+    const auto got = irg::quadratic_roots_fast(a, b, c), full = irg::quadratic_roots(a, b, c);
+    for (int i = 0; i < full.count; ++i)
+      if (full.root[i] != 0 && !std::isnormal(full.root[i])) return 0.0;
+    return error_of_roots(a, b, c, got);
+  });
+}
+
+// How a cubic equation's simple roots lie: the polynomial changes its sign from below each to above it.
+template <class T>
+double error_of_cubic(const T (&p)[4], const irg::real_roots<T, 3>& got) {
+  const big_rational a = rational(p[3]), b = rational(p[2]), c = rational(p[1]), d = rational(p[0]);
+  const big_rational seven_and_twenty = 27, discriminant = a * b * c * d * 18 - b * b * b * d * 4 + b * b * c * c -
+                                                           a * c * c * c * 4 - seven_and_twenty * a * a * d * d;
+  const int sign = discriminant.sign();
+  const int count = sign > 0 ? 3 : sign < 0 ? 1 : b * b == a * c * 3 ? 1 : 2;
+  if (got.count != count) return 1e9;
+  if (sign == 0) return 0;
+  const auto sign_at = [&](T x) {
+    if (!std::isfinite(x)) return x > 0 ? a.sign() : -a.sign();
+    const big_rational at = rational(x);
+    return (((a * at + b) * at + c) * at + d).sign();
+  };
+  for (int i = 0; i < count; ++i) {
+    const T x = got.root[i];
+    if (i > 0 && x < got.root[i - 1]) return 1e9;
+    const int before = (count - i) % 2 != 0 ? -a.sign() : a.sign();
+    const bool has_twin = (i > 0 && std::nextafter(std::nextafter(got.root[i - 1], x), x) == x) ||
+                          (i + 1 < count && std::nextafter(std::nextafter(got.root[i + 1], x), x) == x);
+    if (has_twin || sign_at(x) == 0) continue;
+    const T low = std::nextafter(x, T(-HUGE_VAL)), high = std::nextafter(x, T(HUGE_VAL));
+    const int left = sign_at(low), right = std::isinf(x) && x > 0 ? a.sign() : sign_at(high);
+    const int first = std::isinf(x) && x < 0 ? -a.sign() : left;
+    if ((first != before && first != 0) || (right != -before && right != 0)) return 2;
+  }
+  return 0;
+}
+template <class T>
+void sweep_cubics() {
+  sweep("cubic_roots", 1, [](test::random& r, sizes which) {
+    T p[4];
+    for (T& x : p) x = number<T>(r, which);
+    if (p[3] == 0 || p[0] == 0) return 0.0;
+    return error_of_cubic(p, irg::cubic_roots(p[3], p[2], p[1], p[0]));
+  });
+}
+
+TEST_CASE_TEMPLATE("roots: numbers of all sizes", T, double, float) {
+  sweep_quadratics<T>();
+  sweep_cubics<T>();
+}
+
+}  // namespace sweeps
+}  // namespace
+
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <irg/math/solve_exact.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <irg/math/exact_matrix.hpp>
+
+#include "math/mixed_cases.hpp"
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
@@ -175,5 +179,69 @@ TEST_CASE_TEMPLATE("solve_exact: ties go to even, also where subnormal numbers a
   CHECK(wrong == 0);
   CHECK((ties > count / 10 && subnormal_ties > count / 20 && too_large > count / 100));
 }
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+
+// Exactly, where the sum is wide enough: by Leibniz' formula.
+template <int N, class Entry>
+void set_determinant(mpfr_ptr out, Entry entry) {
+  static test::real product;
+  int order[static_cast<std::size_t>(N)];
+  for (int i = 0; i < N; ++i) order[i] = i;
+  mpfr_set_zero(out, 1);
+  do {
+    double sign = 1;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < i; ++j) sign = order[j] > order[i] ? -sign : sign;
+    mpfr_set_d(product, sign, MPFR_RNDN);
+    for (int i = 0; i < N; ++i) mpfr_mul_d(product, product, static_cast<double>(entry(i, order[i])), MPFR_RNDN);
+    mpfr_add(out, out, product, MPFR_RNDN);
+  } while (std::next_permutation(order, order + N));
+}
+
+// Cramer's rule for the unit vectors and for one more right side.
+template <class T, int N>
+void sweep_exact_systems(const std::string& type) {
+  constexpr int bits = N * (sizeof(T) == 8 ? 2200 : 360) + 200;
+  test::real determinant, numerator, quotient;
+  for (mpfr_ptr x : {mpfr_ptr(determinant), mpfr_ptr(numerator), mpfr_ptr(quotient)}) mpfr_set_prec(x, bits);
+  sweep("determinant_exact, inverse_exact, solve_exact, " + type, 0, [&](test::random& r, sizes which) {
+    auto a = irg::generate_mat<T, N, N>([&](int, int) { return number<T>(r, which); });
+    if (r.integer(0, 3) == 0)  // a row that is nearly, or exactly, another one times a number
+      for (int c = 0; c < N; ++c) a(N - 1, c) = a(0, c) * T(0.75);
+    const auto b = vector<T, N>(r, which);
+    const auto with_b = irg::generate_mat<T, N, N + 1>([&](int i, int j) { return j == N ? b[i] : a(i, j); });
+    set_determinant<N>(determinant, [&](int i, int j) { return a(i, j); });
+    const auto undo = inverse_exact(a);
+    const auto x = irg::solve_exact(with_b);
+    const bool right = determinant_exact(a) == nearest_to<T>(determinant);
+    if (!right || determinant_sign(a) != sign_of(determinant)) return 1;
+    if (sign_of(determinant) == 0) return undo || x ? 1 : 0;
+    bool fits[2]{true, true}, all_right[2]{true, true};
+    for (int p = 0; p < N; ++p)
+      for (int q = 0; q <= N; ++q) {
+        set_determinant<N>(numerator, [&](int i, int j) {
+          return j != p ? a(i, j) : q == N ? b[i] : i == q ? T(1) : T(0);
+        });
+        mpfr_div(quotient, numerator, determinant, MPFR_RNDN);
+        const T want = nearest_to<T>(quotient);
+        fits[q / N] = fits[q / N] && std::isfinite(want);
+        all_right[q / N] = all_right[q / N] && (q == N ? x.x[p] == want : undo && (*undo)(p, q) == want);
+      }
+    const bool kinds = undo.has_value() == fits[0] && (x.kind == irg::solvability::unique) == fits[1];
+    return kinds && (all_right[0] || !fits[0]) && (all_right[1] || !fits[1]) ? 0 : 1;
+  });
+}
+
+TEST_CASE("determinant_exact, inverse_exact, solve_exact: numbers of all sizes") {
+  sweep_exact_systems<double, 2>("2 doubles");
+  sweep_exact_systems<float, 3>("3 floats");
+}
+
+}  // namespace sweeps
+}  // namespace
 
 #endif

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "math/mixed_cases.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -88,3 +89,73 @@ TEST_CASE("projection: against rationals, nearly at right angles too") {
   MESSAGE("vector_projection: ", worst, " u relative");
   CHECK(worst <= 6);
 }
+
+#ifdef IRG_HAVE_MPFR
+
+namespace {
+namespace sweeps {
+
+using namespace test::mixed;
+using test::mixed::rational;
+
+template <class T, int N>
+void sweep_projections(const std::string& type) {
+  test::real dot, a_length, b_length, exact, off;
+  const auto judge = [&](T got, mpfr_ptr size) {
+    mpfr_sub_d(off, exact, static_cast<double>(got), MPFR_RNDN);
+    mpfr_mul_2si(off, off, 100, MPFR_RNDN);
+    return mpfr_cmpabs(off, size) <= 0 ? 0 : test::ulp_error(got, exact);
+  };
+  const auto measure = [&](const vec<T, N>& a, const vec<T, N>& b) {
+    set_dot(dot, a, b), set_length(a_length, a), set_length(b_length, b);
+  };
+  sweep("scalar_projection, " + type, 1.01, [&](test::random& r, sizes which) {
+    const auto b = vector<T, N>(r, which), a = beside<T, N>(r, b, all_sizes[r.integer(0, 3)]);
+    const auto got = scalar_projection(a, b);
+    if (b == vec<T, N>{} || !got) return b == vec<T, N>{} && !got ? 0 : 1e9;
+    measure(a, b);
+    mpfr_div(exact, dot, b_length, MPFR_RNDN);
+    return judge(*got, a_length);
+  });
+  sweep("vector_projection, " + type, 1.01, [&](test::random& r, sizes which) {
+    const auto b = vector<T, N>(r, which), a = beside<T, N>(r, b, all_sizes[r.integer(0, 3)]);
+    const auto got = vector_projection(a, b);
+    if (b == vec<T, N>{} || !got) return b == vec<T, N>{} && !got ? 0 : 1e9;
+    measure(a, b);
+    double worst = 0;
+    for (int i = 0; i < N; ++i) {
+      mpfr_sqr(exact, b_length, MPFR_RNDN);
+      mpfr_div(exact, dot, exact, MPFR_RNDN);
+      mpfr_mul_d(exact, exact, static_cast<double>(b[i]), MPFR_RNDN);
+      worst = std::fmax(worst, judge((*got)[i], a_length));
+    }
+    return worst;
+  });
+  test::real one(1);
+  sweep("cosine_between, " + type, 0.51, [&](test::random& r, sizes which) {
+    const auto b = vector<T, N>(r, which), a = beside<T, N>(r, b, all_sizes[r.integer(0, 3)]);
+    const auto got = cosine_between(a, b);
+    const bool none = a == vec<T, N>{} || b == vec<T, N>{};
+    if (none || !got) return none && !got ? 0 : 1e9;
+    measure(a, b);
+    mpfr_div(exact, dot, a_length, MPFR_RNDN);
+    mpfr_div(exact, exact, b_length, MPFR_RNDN);
+    return *got >= -1 && *got <= 1 ? judge(*got, one) : 1e9;
+  });
+  sweep("dot_sign, " + type, 0, [&](test::random& r, sizes which) {
+    const auto b = vector<T, N>(r, which), a = beside<T, N>(r, b, all_sizes[r.integer(0, 3)]);
+    set_dot(dot, a, b);
+    return dot_sign(a, b) == sign_of(dot) ? 0 : 1;
+  });
+}
+
+TEST_CASE("projections: numbers of all sizes") {
+  sweep_projections<double, 3>("3 doubles");
+  sweep_projections<float, 3>("3 floats");
+  sweep_projections<float, 4>("4 floats");
+}
+
+}  // namespace sweeps
+}  // namespace
+
+#endif

@@ -18,6 +18,8 @@
 
 namespace test::mixed {
 
+using test::big_rational;
+
 enum class sizes { all, one_apart, subnormal, roots_of_largest };
 constexpr sizes all_sizes[] = {sizes::all, sizes::one_apart, sizes::subnormal, sizes::roots_of_largest};
 
