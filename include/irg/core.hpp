@@ -11,6 +11,7 @@
 #include <irg/core/result.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/executor.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/core/conversion.hpp>
