@@ -50,7 +50,8 @@ struct executor_ref_to final : executor_ref {
 
   constexpr explicit executor_ref_to(const E& to) noexcept : executor(to) {}
   constexpr void run(std::size_t count, const function_ref<void(std::size_t)>& task) const override {
-    executor(count, task);
+    // A type of this instruction set's own, and so is what the executor makes of it.
+    executor(count, [&](std::size_t i) { task(i); });
   }
 };
 

@@ -29,7 +29,8 @@ struct tile_pass {
   bool holds_farthest = false;  // whether some pixels show a triangle at the farthest key, which is not seen
 };
 
-// A group of triangles in registers, a lane each: F at the first pixel of each box, the plane of depths, the box within the tile.
+// A group of triangles in registers, a lane each: F at the first pixel of each box, the plane of depths, and the boxes
+// within the tile.
 struct group_lanes {
   tile_integers f[3], right[3], down[3], x_first, y_first, columns, rows;
   tile_floats gain[3], rest, low, high, slack;
