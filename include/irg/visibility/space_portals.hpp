@@ -179,7 +179,9 @@ constexpr bool choose_axes(space_opening<T>& o) noexcept {
     const point<double, 2> a{o.ring[0][u], o.ring[0][v]}, b{o.ring[1][u], o.ring[1][v]}, c{o.ring[2][u], o.ring[2][v]};
     if (orient2d(a, b, c) == 0 || magnitude(twice) <= area) continue;
     area = magnitude(twice);
-    o.u = u, o.v = v, o.w = w;
+    o.u = u;
+    o.v = v;
+    o.w = w;
   }
   return area >= 0;
 }
@@ -252,7 +254,11 @@ template <Floating T>
 constexpr double most_volume(const point<double, 3>& p, const point<double, 3>& q, const point<double, 3>& a,
                              const point<double, 3>& b) noexcept {
   double x[3][3]{};
-  for (int i = 0; i < 3; ++i) x[0][i] = b[i] - p[i], x[1][i] = a[i] - p[i], x[2][i] = q[i] - p[i];
+  for (int i = 0; i < 3; ++i) {
+    x[0][i] = b[i] - p[i];
+    x[1][i] = a[i] - p[i];
+    x[2][i] = q[i] - p[i];
+  }
   double sum = 0, size = 0;
   for (int i = 0; i < 3; ++i) {
     const double left = product(x[0][(i + 1) % 3], x[1][(i + 2) % 3]);
@@ -334,7 +340,10 @@ constexpr bool cut_ends(space_stabbing<T>& s, const end_rectangles& p) {
   int which = 0, k = 0;
   for (int i = 0; i < 2; ++i)
     for (int n = 0; n < 2; ++n)
-      if (p.high[i][n] - p.low[i][n] > p.high[which][k] - p.low[which][k]) which = i, k = n;
+      if (p.high[i][n] - p.low[i][n] > p.high[which][k] - p.low[which][k]) {
+        which = i;
+        k = n;
+      }
   const double at = halfway(p.low[which][k], p.high[which][k]);
   if (!(p.low[which][k] < at && at < p.high[which][k])) return false;
   end_rectangles below = p, above = p;

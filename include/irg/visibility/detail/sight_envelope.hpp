@@ -47,7 +47,10 @@ constexpr int compare_crossing_directions(const point<T, 2>& source, const std::
     in[k++] = widened(p.y);
   };
   add(source);
-  for (const auto* e : edges) add(e->a), add(e->b);
+  for (const auto* e : edges) {
+    add(e->a);
+    add(e->b);
+  }
   const auto formula = [](const auto& x) {
     const auto area = [&x](std::size_t line, std::size_t end) {
       return (x[line + 2] - x[line]) * (x[end + 1] - x[line + 1]) - (x[line + 3] - x[line + 1]) * (x[end] - x[line]);

@@ -33,7 +33,7 @@ constexpr bool holds_place(const std::vector<segment<T, 2>>& outline, const Side
   return is_inside;
 }
 
-enum class hidden_part { nothing, something, everything };
+enum class hidden_extent { nothing, something, everything };
 
 enum class obstacle_place {
   ahead,
@@ -111,8 +111,8 @@ constexpr bool is_in_front(const point<T, 2>& a, const point<T, 2>& b, const poi
 
 // How much of the edge from p to q, counter-clockwise as seen from the place, obstacles hide.
 template <Floating T, class Side>
-constexpr hidden_part hidden_of_edge(const source_view<T>& view, const Side& side, const point<T, 2>& p,
-                                     const point<T, 2>& q, obstacle_place on_it) {
+constexpr hidden_extent hidden_of_edge(const source_view<T>& view, const Side& side, const point<T, 2>& p,
+                                       const point<T, 2>& q, obstacle_place on_it) {
   std::vector<segment<T, 2>> hidden;
   const auto before = [&](const point<T, 2>& a, const point<T, 2>& b) { return !(a == b) && side(a, b) > 0; };
   for (const auto& o : view.obstacles) {
@@ -126,14 +126,14 @@ constexpr hidden_part hidden_of_edge(const source_view<T>& view, const Side& sid
     const bool ends_within = b == q || (before(p, b) && before(b, q));
     hidden.push_back({begins_within ? a : p, ends_within ? b : q});
   }
-  if (hidden.empty()) return hidden_part::nothing;
+  if (hidden.empty()) return hidden_extent::nothing;
   std::sort(hidden.begin(), hidden.end(), [&](const auto& x, const auto& y) { return before(x.a, y.a); });
   point<T, 2> reached = p;
   for (const auto& h : hidden) {
-    if (before(reached, h.a)) return hidden_part::something;
+    if (before(reached, h.a)) return hidden_extent::something;
     if (before(reached, h.b)) reached = h.b;
   }
-  return reached == q ? hidden_part::everything : hidden_part::something;
+  return reached == q ? hidden_extent::everything : hidden_extent::something;
 }
 
 // Adds a point, a segment, or a ring with the source to its left.
@@ -154,11 +154,11 @@ constexpr seen_share share_seen(const source_view<T>& view, const Side& side) {
   for (const auto& [p, q] : view.outline) {
     const bool is_far = side(p, q) > 0;  // the place sees the inner side of this edge through the source
     const auto on_it = is_far || !view.has_area ? obstacle_place::beside : obstacle_place::ahead;
-    const hidden_part hidden = hidden_of_edge(view, side, is_far ? p : q, is_far ? q : p, on_it);
+    const hidden_extent hidden = hidden_of_edge(view, side, is_far ? p : q, is_far ? q : p, on_it);
     if (is_far)
-      all = all && hidden == hidden_part::nothing;
+      all = all && hidden == hidden_extent::nothing;
     else
-      none = none && hidden == hidden_part::everything;
+      none = none && hidden == hidden_extent::everything;
   }
   return all ? seen_share::all : none && !holds_place(view.outline, side) ? seen_share::none : seen_share::some;
 }
