@@ -67,7 +67,7 @@ struct area_span_target {
   }
   // The columns [first, last) of a row: of(x) gives 1/2 + the coverages of a pack of columns from x on; limit: as below.
   template <class F, class Coverages>
-  IRG_INLINE constexpr void columns(int row, int first, int last, [[maybe_unused]] int limit, const Coverages& of) {
+  constexpr void columns(int row, int first, int last, [[maybe_unused]] int limit, const Coverages& of) {
     constexpr int lane_count = lanes<F>::count;
     for (int at = first; at < last; at += most) {
       const int n = lesser(most, last - at);
@@ -78,7 +78,7 @@ struct area_span_target {
       sink(coverage_span{row, at, at + n, coverage});
     }
   }
-  IRG_INLINE constexpr void run(const coverage_span& s) { sink(s); }
+  constexpr void run(int row, int first, int last, const std::uint8_t* c) { sink(coverage_span{row, first, last, c}); }
 };
 
 inline namespace IRG_ABI {
@@ -175,9 +175,8 @@ struct area_mix_target {
       stop = length;
     }
   }
-  IRG_INLINE void run(const coverage_span& s) const noexcept {
-    mix_run(raster_traits<R>::row(raster, s.y) + s.x_first, static_cast<std::size_t>(s.x_last - s.x_first), s.coverage,
-            colour);
+  IRG_INLINE void run(int y, int first, int last, const std::uint8_t* c) const noexcept {
+    mix_run(raster_traits<R>::row(raster, y) + first, static_cast<std::size_t>(last - first), c, colour);
   }
 };
 
