@@ -90,7 +90,8 @@ struct aa_drawing {
     send<four>(f.x, f.y.at(r), columns, row);
   }
 
-  // Rows [first, last) between the caps. Fills: the line is so wide that they have runs of columns that are covered whole.
+  // Rows [first, last) between the caps. Fills: the line is so wide that they have runs of columns covered whole. What
+  // would be computed of such a column is within 1/64 of 255 + 1/2, and so 255, too.
   template <class G, bool Fills, class Row>
   constexpr void band_rows(int first, int last, Row row) const {
     const aa_axis axis = f.x;  // copies, which no pixel that is written may change
@@ -102,8 +103,7 @@ struct aa_drawing {
       row.enter(walk.fraction());
       const int column = walk.column();
       area_range solid;
-      if constexpr (Fills)
-        solid = {walk.end_column(s.slant_bits) - column, walk.end_column(s.across_bits) - 1 - column};
+      if constexpr (Fills) solid = {walk.end_column(s.whole_from) - column, walk.end_column(s.whole_to) - 1 - column};
       send<G, Fills>(axis, y, {column, walk.end_column(reach)}, row, solid);
     }
   }

@@ -14,7 +14,6 @@
 #include <irg/core/lanes.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/raster/detail/area_targets.hpp>
-#include <irg/raster/detail/line_aa_slender.hpp>
 #include <irg/raster/line_style.hpp>
 #include <irg/raster/subpixel.hpp>
 
@@ -229,8 +228,8 @@ constexpr aa_edges<E> aa_narrowed(const aa_edges<double>& edges) noexcept {
 struct aa_shape {
   aa_edges<double> edges;
   double slant = 0, across = 0;  // of the long edges: x per row, and how far apart they are along a row
-  // Runs between the caps in 2^-40 pixel, from their left end on: how long they are; from where to where all is covered.
-  std::int64_t reach = 0, slant_bits = 0, across_bits = 0;
+  // The same in 2^-40 pixel: how long the runs between the caps are, and from where to where they are covered whole.
+  std::int64_t reach = 0, whole_from = 0, whole_to = 0;
   double slope = 0, width = 0;  // along the longer axis, and what it is wide along the shorter one
   bool thin = false;  // fit for aa_thin_row
   int first = 0, last = 0;  // the rows it touches, half-open
@@ -261,8 +260,8 @@ constexpr aa_shape aa_shape_of(const aa_frame& f, std::int32_t dx, std::int32_t 
   if (s.band_last < s.band_first) s.band_first = s.band_last = s.last;
   if (s.band_first < s.band_last) {
     s.reach = static_cast<std::int64_t>((s.slant + s.across) * 0x1p40);
-    s.slant_bits = static_cast<std::int64_t>(s.slant * 0x1p40),
-    s.across_bits = static_cast<std::int64_t>(s.across * 0x1p40);
+    s.whole_from = static_cast<std::int64_t>(s.slant * 0x1p40),
+    s.whole_to = static_cast<std::int64_t>(s.across * 0x1p40);
   }
   const double slope = dx <= dy ? s.slant : -back;
   s.slope = greater(slope, static_cast<double>(aa_least_slant));
@@ -299,8 +298,8 @@ IRG_INLINE constexpr aa_walk aa_walk_at(const aa_shape& s, int r) noexcept {
 
 inline constexpr float aa_nowhere = 0x1p30f;  // to the right of everything
 
-// The columns of a row of edges, two on the left and two on the right: low and high are their bounds, those of edges that
-// the row does not have being nowhere and 0.
+// The columns of a row of edges, two on the left and two on the right: low and high are their bounds, those of edges
+// that the row does not have being nowhere and 0.
 template <class T>
 IRG_INLINE constexpr area_range aa_columns_between(const T* low, const T* high) noexcept {
   const T least = lesser(low[0], low[1]), greatest = greater(high[2], high[3]);

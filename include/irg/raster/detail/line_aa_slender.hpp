@@ -24,9 +24,6 @@
 
 namespace irg::detail::inline IRG_ABI {
 
-// Coverage is computed in 255ths with 1/2 added, ready to be truncated.
-inline constexpr float aa_full = 255.0f, aa_half = 0.5f;
-
 // Four numbers at once where F is a pack, one after the other where it is one number.
 template <class F>
 using aa_four = std::conditional_t<std::is_same_v<F, float>, float, pack<float, 4>>;
@@ -355,7 +352,8 @@ IRG_INLINE void aa_mix_steps(const aa_slender<pack<float, 4>>& s, const mix_colo
   }
 }
 
-// Step i of a steep line is row i, its pixels lie side by side; of a flat one it is column i, they lie above each other.
+// Step i of a steep line is row i, its pixels lie side by side; of a flat one it is column i, they lie above each
+// other.
 template <class R>
 IRG_INLINE void aa_mix_slender(const area_mix_target<R>& target, const aa_slender<pack<float, 4>>& s,
                                bool steep) noexcept {
