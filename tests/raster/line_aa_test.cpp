@@ -427,6 +427,30 @@ TEST_CASE("draw_line_aa: the sink form's coverages, mixed, and no byte outside t
   }
 }
 
+// Between the caps of a wide line that the raster holds, what is covered whole is filled.
+TEST_CASE("draw_line_aa: wide lines, whose filled columns are those of coverage 255") {
+  test::random random{39};
+  const cell_window w{0, 0, 330, 300};
+  int whole = 0;
+  for (int i = 0; i < 150; ++i) {
+    const auto c = [&](int most) { return static_cast<std::int32_t>(random.integer(80 * one, most * one)); };
+    const subpixel a{c(250), c(220)}, b{c(250), c(220)};
+    const line_aa_options o{static_cast<int>(random.integer(6 * one, i % 3 == 0 ? irg::max_line_aa_width : 30 * one)),
+                            i % 5 == 0 ? line_aa_caps::square : line_aa_caps::butt};
+    irg::image<irg::rgba8> drawn(330, 300, {0, 0, 0, 0});
+    REQUIRE(irg::draw_line_aa(drawn, a, b, irg::rgba8{255, 255, 255, 255}, o));
+    auto expected = covered(a, b, w, o);
+    int different = 0;
+    for (int y = 0; y < 300; ++y)
+      for (int x = 0; x < 330; ++x) {
+        different += drawn(x, y).g != expected.seen(x, y);
+        whole += expected.seen(x, y) == 255;
+      }
+    REQUIRE(different == 0);
+  }
+  CHECK(whole > 100000);
+}
+
 constexpr irg::image<irg::rgba8> drawn() {
   irg::image<irg::rgba8> picture(6, 4, {0, 0, 0, 255});
   irg::draw_line_aa(picture, cell{0, 0}, cell{5, 3}, {255, 255, 255, 255});

@@ -13,7 +13,10 @@
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/mix_kernel.hpp>
 
-namespace irg::detail {
+namespace irg::detail::inline IRG_ABI {
+
+// Rows are computed in 255ths with 1/2 added, ready to be truncated.
+inline constexpr float aa_full = 255.0f, aa_half = 0.5f;
 
 // Gathers coverages into spans.
 template <class Sink>
@@ -65,9 +68,10 @@ struct area_span_target {
     end();
     sink(coverage_span{y, at, at + n, nullptr});
   }
-  // The columns [first, last) of a row: of(x) gives 1/2 + the coverages of a pack of columns from x on; limit: as below.
+  // The columns [first, last) of a row: of(x) gives 1/2 + the coverages of a pack of columns from x on. The limit is of
+  // use below.
   template <class F, class Coverages>
-  IRG_INLINE constexpr void columns(int row, int first, int last, [[maybe_unused]] int limit, const Coverages& of) {
+  constexpr void columns(int row, int first, int last, [[maybe_unused]] int limit, const Coverages& of) {
     constexpr int lane_count = lanes<F>::count;
     for (int at = first; at < last; at += most) {
       const int n = lesser(most, last - at);
@@ -78,10 +82,8 @@ struct area_span_target {
       sink(coverage_span{row, at, at + n, coverage});
     }
   }
-  IRG_INLINE constexpr void run(const coverage_span& s) { sink(s); }
+  constexpr void run(int row, int first, int last, const std::uint8_t* c) { sink(coverage_span{row, first, last, c}); }
 };
-
-inline namespace IRG_ABI {
 
 struct area_range {
   int first = 0, last = 0;
@@ -145,8 +147,8 @@ struct area_mix_target {
       irg::detail::mix_some<n>(line + x, last - x, lanes_of_colour<n>(),
                                in_both_halves<n>(converted<std::int32_t>(of(x))));
   }
-  // A row of `length` columns from x on in direction sign: of(k) gives 1/2 + the coverages of columns number k. Fills: those
-  // numbered as in `solid` are covered whole.
+  // A row of `length` columns from x on in direction sign: of(k) gives 1/2 + the coverages of columns number k. Fills:
+  // those numbered as in `solid` are covered whole.
   // needs   the raster holds them and as many more as fill the last pack
   template <class F, bool Fills, class Coverages>
   IRG_INLINE void columns_inside(int y, int x, int sign, int length, const area_range& solid,
@@ -175,11 +177,9 @@ struct area_mix_target {
       stop = length;
     }
   }
-  IRG_INLINE void run(const coverage_span& s) const noexcept {
-    mix_run(raster_traits<R>::row(raster, s.y) + s.x_first, static_cast<std::size_t>(s.x_last - s.x_first), s.coverage,
-            colour);
+  IRG_INLINE void run(int y, int first, int last, const std::uint8_t* c) const noexcept {
+    mix_run(raster_traits<R>::row(raster, y) + first, static_cast<std::size_t>(last - first), c, colour);
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -24,9 +24,6 @@
 
 namespace irg::detail::inline IRG_ABI {
 
-// Coverage is computed in 255ths with 1/2 added, ready to be truncated.
-inline constexpr float aa_full = 255.0f, aa_half = 0.5f;
-
 // Four numbers at once where F is a pack, one after the other where it is one number.
 template <class F>
 using aa_four = std::conditional_t<std::is_same_v<F, float>, float, pack<float, 4>>;
@@ -200,7 +197,7 @@ constexpr aa_step aa_end_step(const aa_slender<F>& s, unsigned k) noexcept {
 }
 // Step i of those between.
 template <class F>
-constexpr aa_step aa_step_between(const aa_slender<F>& s, const aa_slender_steps<F>& steps, int i) noexcept {
+IRG_INLINE constexpr aa_step aa_step_between(const aa_slender<F>& s, const aa_slender_steps<F>& steps, int i) noexcept {
   constexpr unsigned count = aa_slender<F>::count;
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
   const int column = (s.walk + s.walk_step * i) >> aa_slender<F>::walk_bits;
@@ -228,11 +225,12 @@ IRG_INLINE constexpr std::array<std::uint8_t, 8> aa_in_memory(std::uint32_t word
       << 32);
 }
 
-// A row's pixels from column `first` to `last` as far as the window holds them.
+// A row's pixels as far as the window holds them.
 template <class Target>
-IRG_INLINE constexpr void aa_send_bytes(Target& target, const cell_window& w, const coverage_span& s) {
-  const int from = greater(s.x_first, w.x_first), to = lesser(s.x_last, w.x_last);
-  if (s.y >= w.y_first && s.y < w.y_last && from < to) target.run({s.y, from, to, s.coverage + (from - s.x_first)});
+IRG_INLINE constexpr void aa_send_bytes(const cell_window& w, Target& target, int y, int first, int last,
+                                        const std::uint8_t* coverage) {
+  const int from = greater(first, w.x_first), to = lesser(last, w.x_last);
+  if (y >= w.y_first && y < w.y_last && from < to) target.run(y, from, to, coverage + (from - first));
 }
 
 // The steps of a steep slender line: each a row.
@@ -240,7 +238,7 @@ template <class F, class Target>
 constexpr void aa_send_steep(const aa_slender<F>& s, const cell_window& w, Target& target) {
   const aa_slender_steps<F> between(s);
   const auto send = [&](const aa_step& e) {
-    aa_send_bytes(target, w, {e.along, e.aside, e.aside + 4, aa_in_memory(e.coverage).data()});
+    aa_send_bytes(w, target, e.along, e.aside, e.aside + 4, aa_in_memory(e.coverage).data());
   };
   for (unsigned k = 0; k < 4; ++k) send(aa_end_step(s, k));
   const int first = greater(w.y_first, s.first), last = lesser(w.y_last, s.first + s.steps);
@@ -275,7 +273,7 @@ constexpr void aa_send_flat(const aa_slender<F>& s, const cell_window& w, Target
   for (int i = 0; i < s.steps; ++i) gather(aa_step_between(s, between, i));
   for (int i = 0; i < y_last - y; ++i) {
     const row& r = rows[i];
-    aa_send_bytes(target, w, {y + i, x + r.first, x + r.last, r.coverage + r.first});
+    aa_send_bytes(w, target, y + i, x + r.first, x + r.last, r.coverage + r.first);
   }
 }
 
@@ -354,7 +352,8 @@ IRG_INLINE void aa_mix_steps(const aa_slender<pack<float, 4>>& s, const mix_colo
   }
 }
 
-// Step i of a steep line is row i, its pixels lie side by side; of a flat one it is column i, they lie above each other.
+// Step i of a steep line is row i, its pixels lie side by side; of a flat one it is column i, they lie above each
+// other.
 template <class R>
 IRG_INLINE void aa_mix_slender(const area_mix_target<R>& target, const aa_slender<pack<float, 4>>& s,
                                bool steep) noexcept {
