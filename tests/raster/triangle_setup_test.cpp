@@ -217,14 +217,14 @@ TEST_CASE("triangle_boxes: sides of 2^15 and more are not narrow") {
   }
 }
 
-TEST_CASE("owns_its_points: left and top edges of triangles that are on their right") {
-  CHECK_BOTH(irg::owns_its_points(0, -1));
-  CHECK_BOTH(irg::owns_its_points(5, -1));
-  CHECK_BOTH(irg::owns_its_points(1, 0));
-  CHECK_BOTH(!irg::owns_its_points(0, 0));
-  CHECK_BOTH(!irg::owns_its_points(-1, 0));
-  CHECK_BOTH(!irg::owns_its_points(0, 1));
-  CHECK_BOTH(!irg::owns_its_points(7, 1));
+TEST_CASE("is_top_left: left and top edges of triangles that are on their right") {
+  CHECK_BOTH(irg::is_top_left(0, -1));
+  CHECK_BOTH(irg::is_top_left(5, -1));
+  CHECK_BOTH(irg::is_top_left(1, 0));
+  CHECK_BOTH(!irg::is_top_left(0, 0));
+  CHECK_BOTH(!irg::is_top_left(-1, 0));
+  CHECK_BOTH(!irg::is_top_left(0, 1));
+  CHECK_BOTH(!irg::is_top_left(7, 1));
 }
 
 }  // namespace

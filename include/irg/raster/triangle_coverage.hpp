@@ -56,11 +56,11 @@ inline namespace IRG_ABI {
   return area > 0 ? orientation::clockwise : area < 0 ? orientation::counter_clockwise : orientation::degenerate;
 }
 
-/// Whether an edge that runs by (dx, dy), its inner side on the right (clockwise, y down), owns the centres that lie on
+/// The top-left rule: whether an edge that runs by (dx, dy), its inner side on the right (clockwise, y down), owns the centres that lie on
 /// it: a left edge (upwards) does, and a top edge (level, to the right).
 /// shape   integers, or registers of them; a mask for these
 template <class J>
-[[nodiscard]] IRG_INLINE constexpr auto owns_its_points(const J& dx, const J& dy) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto is_top_left(const J& dx, const J& dy) noexcept {
   return dy < ((J{} < dx) & 1);  // dy < 0, or dy == 0 and 0 < dx
 }
 
@@ -96,7 +96,7 @@ namespace detail::inline IRG_ABI {
 IRG_INLINE constexpr triangle_edge make_edge(const subpixel& a, const subpixel& b) noexcept {
   const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
   const std::int64_t at_first_centre = dx * (half_pixel - a.y) - dy * (half_pixel - a.x);
-  const std::int64_t inside_if_not_negative = at_first_centre - 1 + (owns_its_points(dx, dy) ? 1 : 0);
+  const std::int64_t inside_if_not_negative = at_first_centre - 1 + (is_top_left(dx, dy) ? 1 : 0);
   const std::int64_t f = inside_if_not_negative >> subpixel_bits;  // rounds down
   return {f, static_cast<std::int32_t>(-dy), static_cast<std::int32_t>(dx),
           static_cast<std::int32_t>(at_first_centre - f * one_pixel)};

@@ -134,7 +134,7 @@ struct edge_lanes {
     const int p = (k + 1) % 3;
     const integers pixel = J::broadcast(one_pixel), half = J::broadcast(half_pixel);
     const integers e = dx[k] * (row * pixel + half - y[p]) - dy[k] * (column * pixel + half - x[p]);
-    const integers f = ((e - J::broadcast(1)) - owns_its_points(dx[k], dy[k])) >> subpixel_bits;
+    const integers f = ((e - J::broadcast(1)) - is_top_left(dx[k], dy[k])) >> subpixel_bits;
     return {f, to_float(e - f * pixel) * unit};
   }
 };
