@@ -15,7 +15,7 @@
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/solid/detail/body_arrangement.hpp>
-#include <irg/solid/detail/seam_remover.hpp>
+#include <irg/solid/detail/seam_removal.hpp>
 #include <irg/solid/detail/shell_sides.hpp>
 #include <irg/solid/self_intersections.hpp>
 
@@ -131,9 +131,8 @@ constexpr std::vector<kept_triangle> keep_triangles(Cut& cut, const body_triangl
     if (cut.directions[t] > 0) kept.push_back({{from.v[0], from.v[1], from.v[2]}, from.source, false});
     if (cut.directions[t] < 0) kept.push_back({{from.v[2], from.v[1], from.v[0]}, from.source, true});
   }
-  if (std::find(cut.is_seam.begin(), cut.is_seam.end(), 1) != cut.is_seam.end())
-    seam_remover(kept, cut.vertices, cut.is_seam,
-                 [&b](std::uint32_t s, std::uint32_t t) { return are_level(b, s, t); });
+  seam_removal<decltype(cut.vertices)> seams{b, cut.vertices, cut.is_seam, kept};
+  if (std::find(cut.is_seam.begin(), cut.is_seam.end(), 1) != cut.is_seam.end()) remove_seams(seams);
   return kept;
 }
 
