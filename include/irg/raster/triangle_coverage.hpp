@@ -56,8 +56,8 @@ inline namespace IRG_ABI {
   return area > 0 ? orientation::clockwise : area < 0 ? orientation::counter_clockwise : orientation::degenerate;
 }
 
-/// The top-left rule: whether an edge that runs by (dx, dy), its inner side on the right (clockwise, y down), owns the centres that lie on
-/// it: a left edge (upwards) does, and a top edge (level, to the right).
+/// The top-left rule: whether an edge that runs by (dx, dy), its inner side on the right (clockwise, y down), owns the
+/// centres that lie on it. A left edge (upwards) does, and a top edge (level, to the right).
 /// shape   integers, or registers of them; a mask for these
 template <class J>
 [[nodiscard]] IRG_INLINE constexpr auto is_top_left(const J& dx, const J& dy) noexcept {

@@ -115,148 +115,142 @@ struct kept_triangle {
 inline namespace IRG_ABI {
 
 template <class Vertices>
-class seam_remover {
-public:
-  /// needs   is_seam for each vertex; are_level(s, t): whether two triangles of the bodies lie in one plane and look
-  ///         the same way
-  template <class Level>
-  constexpr seam_remover(std::vector<kept_triangle>& surface, Vertices& vertices,
-                         const std::vector<unsigned char>& is_seam, const Level& are_level)
-      : surface_(surface), vertices_(vertices), around_(is_seam.size()), is_seam_(is_seam) {
-    for (std::uint32_t t = 0; t < surface_.size(); ++t) note(t);
-    for (std::uint32_t v = 0; v < is_seam_.size(); ++v)
-      if (is_seam_[v] != 0 && !around_[v].empty()) remove(v, are_level);
-  }
-
-private:
+struct seam_removal {
   // A side seen from the corner that goes: from, to, of which triangle.
   struct spoke {
     std::uint32_t from, to, triangle;
   };
   // Triangles of one plane side by side: polygon runs round them, without the corner.
   struct sector {
-    std::vector<std::uint32_t> polygon;
-    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint32_t> polygon, triangles;
     bool is_closed = false;
   };
 
-  constexpr void note(std::uint32_t t) {
-    for (const std::uint32_t v : surface_[t].v)
-      if (is_seam_[v] != 0) around_[v].push_back(t);
-  }
-
-  template <class Level>
-  constexpr void remove(std::uint32_t p, const Level& are_level) {
-    spokes_.clear();
-    for (const std::uint32_t t : around_[p]) {
-      const kept_triangle& k = surface_[t];
-      if (!k.is_there) continue;
-      const std::size_t i = k.v[0] == p ? 0 : k.v[1] == p ? 1 : 2;
-      spokes_.push_back({k.v[(i + 1) % 3], k.v[(i + 2) % 3], t});
-    }
-    sectors_.clear();
-    while (!spokes_.empty()) take_sector(are_level);
-    if (!is_straight(p)) return;
-    cuts_.clear();
-    for (const sector& s : sectors_)
-      if (!cut_anew(s)) return;
-    for (const sector& s : sectors_)
-      for (const std::uint32_t t : s.triangles) surface_[t].is_there = false;
-    for (const kept_triangle& k : cuts_) {
-      surface_.push_back(k);
-      note(static_cast<std::uint32_t>(surface_.size() - 1));
-    }
-  }
-
-  // The triangles level with the first that is left and joined to it.
-  template <class Level>
-  constexpr void take_sector(const Level& are_level) {
-    sector s;
-    const spoke first = spokes_.back();
-    spokes_.pop_back();
-    s.polygon = {first.from, first.to};
-    s.triangles = {first.triangle};
-    const kept_triangle level = surface_[first.triangle];
-    for (bool grows = true; grows && !s.is_closed;) {
-      grows = false;
-      for (std::size_t i = 0; i < spokes_.size() && !grows; ++i) {
-        const spoke next = spokes_[i];
-        const bool after = next.from == s.polygon.back(), before = next.to == s.polygon.front();
-        const kept_triangle& k = surface_[next.triangle];
-        if ((!after && !before) || k.turned != level.turned || !are_level(level.source, k.source)) continue;
-        if (after && before)
-          s.is_closed = true;
-        else if (after)
-          s.polygon.push_back(next.to);
-        else
-          s.polygon.insert(s.polygon.begin(), next.from);
-        s.triangles.push_back(next.triangle);
-        spokes_.erase(spokes_.begin() + static_cast<std::ptrdiff_t>(i));
-        grows = true;
-      }
-    }
-    sectors_.push_back(std::move(s));
-  }
-
-  // Whether the corner lies within a plane, or within one edge of all that meet there.
-  constexpr bool is_straight(std::uint32_t p) {
-    std::uint32_t low = no_index, high = no_index, triangle = no_index;
-    for (const sector& s : sectors_) {
-      if (s.is_closed) continue;
-      const std::uint32_t a = lesser(s.polygon.front(), s.polygon.back());
-      const std::uint32_t b = greater(s.polygon.front(), s.polygon.back());
-      if (low == no_index) {
-        low = a;
-        high = b;
-        triangle = surface_[s.triangles.front()].source;
-      }
-      if (low != a || high != b || a == b || s.polygon.size() < 3) return false;
-    }
-    if (low == no_index) return true;
-    const seen_triangle seen = see_triangle(vertices_.at, (*vertices_.triangles)[triangle], triangle);
-    return vertices_.turn(low, p, high, seen.axis) == 0;
-  }
-
-  // Ears come off until none are left.
-  constexpr bool cut_anew(const sector& s) {
-    const kept_triangle& level = surface_[s.triangles.front()];
-    const triangle_indices& plane = (*vertices_.triangles)[level.source];
-    const seen_triangle seen = see_triangle(vertices_.at, plane, level.source);
-    const int direction = level.turned ? -seen.turn : seen.turn;
-    const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      return vertices_.turn(a, b, c, seen.axis) * direction;
-    };
-    std::vector<std::uint32_t> ring = s.polygon;
-    while (ring.size() > 2) {
-      const std::size_t n = ring.size();
-      std::size_t ear = n;
-      for (std::size_t i = 0; i < n && ear == n; ++i) {
-        const std::uint32_t a = ring[i], b = ring[(i + 1) % n], c = ring[(i + 2) % n];
-        if (turn(a, b, c) <= 0) continue;
-        bool is_free = true;
-        for (std::size_t k = 3; k < n && is_free; ++k) {
-          const std::uint32_t q = ring[(i + k) % n];
-          if (q == a || q == b || q == c) return false;  // touches itself
-          is_free = turn(a, b, q) < 0 || turn(b, c, q) < 0 || turn(c, a, q) < 0;
-        }
-        if (is_free) ear = i;
-      }
-      if (ear == n) return false;
-      const std::size_t tip = (ear + 1) % n;
-      cuts_.push_back({{ring[ear], ring[tip], ring[(ear + 2) % n]}, level.source, level.turned});
-      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(tip));
-    }
-    return true;
-  }
-
-  std::vector<kept_triangle>& surface_;
-  Vertices& vertices_;
-  std::vector<std::vector<std::uint32_t>> around_;
-  const std::vector<unsigned char>& is_seam_;
-  std::vector<spoke> spokes_;
-  std::vector<sector> sectors_;
-  std::vector<kept_triangle> cuts_;
+  const body_triangles& bodies;
+  Vertices& vertices;
+  const std::vector<unsigned char>& is_seam;  // of each vertex
+  std::vector<kept_triangle>& surface;
+  std::vector<std::vector<std::uint32_t>> around{};  // of each vertex that is_seam, the triangles, those that went too
+  std::vector<spoke> spokes{};
+  std::vector<sector> sectors{};
+  std::vector<kept_triangle> cuts{};
 };
+
+template <class Seams>
+constexpr void note_corners(Seams& s, std::uint32_t t) {
+  for (const std::uint32_t v : s.surface[t].v)
+    if (s.is_seam[v] != 0) s.around[v].push_back(t);
+}
+
+// The triangles level with the first that is left and joined to it.
+template <class Seams>
+constexpr void take_sector(Seams& s) {
+  const auto first = s.spokes.back();
+  s.spokes.pop_back();
+  s.sectors.push_back({{first.from, first.to}, {first.triangle}});
+  auto& [polygon, triangles, is_closed] = s.sectors.back();
+  const kept_triangle level = s.surface[first.triangle];
+  for (bool grows = true; grows && !is_closed;) {
+    grows = false;
+    for (std::size_t i = 0; i < s.spokes.size() && !grows; ++i) {
+      const auto next = s.spokes[i];
+      const bool after = next.from == polygon.back(), before = next.to == polygon.front();
+      const kept_triangle& k = s.surface[next.triangle];
+      if ((!after && !before) || k.turned != level.turned || !are_level(s.bodies, level.source, k.source)) continue;
+      if (after && before)
+        is_closed = true;
+      else if (after)
+        polygon.push_back(next.to);
+      else
+        polygon.insert(polygon.begin(), next.from);
+      triangles.push_back(next.triangle);
+      s.spokes.erase(s.spokes.begin() + static_cast<std::ptrdiff_t>(i));
+      grows = true;
+    }
+  }
+}
+
+// Whether the corner lies within a plane, or within one edge of all that meet there.
+template <class Seams>
+constexpr bool is_straight(Seams& s, std::uint32_t p) {
+  std::uint32_t low = no_index, high = no_index, triangle = no_index;
+  for (const auto& [polygon, triangles, is_closed] : s.sectors) {
+    if (is_closed) continue;
+    const std::uint32_t a = lesser(polygon.front(), polygon.back()), b = greater(polygon.front(), polygon.back());
+    if (low != no_index && (low != a || high != b)) return false;
+    if (a == b || polygon.size() < 3) return false;
+    if (low == no_index) triangle = s.surface[triangles.front()].source;
+    low = a;
+    high = b;
+  }
+  if (low == no_index) return true;
+  const seen_triangle seen = see_triangle(s.bodies.positions, s.bodies.triangles[triangle], triangle);
+  return s.vertices.turn(low, p, high, seen.axis) == 0;
+}
+
+// Ears come off until none are left.
+template <class Seams>
+constexpr bool cut_anew(Seams& s, const typename Seams::sector& of) {
+  const kept_triangle level = s.surface[of.triangles.front()];
+  const seen_triangle seen = see_triangle(s.bodies.positions, s.bodies.triangles[level.source], level.source);
+  const int direction = level.turned ? -seen.turn : seen.turn;
+  const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return s.vertices.turn(a, b, c, seen.axis) * direction;
+  };
+  std::vector<std::uint32_t> ring = of.polygon;
+  while (ring.size() > 2) {
+    const std::size_t n = ring.size();
+    std::size_t ear = n;
+    for (std::size_t i = 0; i < n && ear == n; ++i) {
+      const std::uint32_t a = ring[i], b = ring[(i + 1) % n], c = ring[(i + 2) % n];
+      if (turn(a, b, c) <= 0) continue;
+      bool is_free = true;
+      for (std::size_t k = 3; k < n && is_free; ++k) {
+        const std::uint32_t q = ring[(i + k) % n];
+        if (q == a || q == b || q == c) return false;  // touches itself
+        is_free = turn(a, b, q) < 0 || turn(b, c, q) < 0 || turn(c, a, q) < 0;
+      }
+      if (is_free) ear = i;
+    }
+    if (ear == n) return false;
+    const std::size_t tip = (ear + 1) % n;
+    s.cuts.push_back({{ring[ear], ring[tip], ring[(ear + 2) % n]}, level.source, level.turned});
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(tip));
+  }
+  return true;
+}
+
+// Leaves a corner where it is unless all that is round it can be cut without it.
+template <class Seams>
+constexpr void remove_corner(Seams& s, std::uint32_t p) {
+  s.spokes.clear();
+  for (const std::uint32_t t : s.around[p]) {
+    const kept_triangle& k = s.surface[t];
+    if (!k.is_there) continue;
+    const std::size_t i = k.v[0] == p ? 0 : k.v[1] == p ? 1 : 2;
+    s.spokes.push_back({k.v[(i + 1) % 3], k.v[(i + 2) % 3], t});
+  }
+  s.sectors.clear();
+  while (!s.spokes.empty()) take_sector(s);
+  if (!is_straight(s, p)) return;
+  s.cuts.clear();
+  for (const auto& of : s.sectors)
+    if (!cut_anew(s, of)) return;
+  for (const auto& of : s.sectors)
+    for (const std::uint32_t t : of.triangles) s.surface[t].is_there = false;
+  for (const kept_triangle& k : s.cuts) {
+    s.surface.push_back(k);
+    note_corners(s, static_cast<std::uint32_t>(s.surface.size() - 1));
+  }
+}
+
+template <class Seams>
+constexpr void remove_seams(Seams& s) {
+  s.around.resize(s.is_seam.size());
+  for (std::uint32_t t = 0; t < s.surface.size(); ++t) note_corners(s, t);
+  for (std::uint32_t v = 0; v < s.is_seam.size(); ++v)
+    if (s.is_seam[v] != 0 && !s.around[v].empty()) remove_corner(s, v);
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg::detail
@@ -441,9 +435,8 @@ constexpr std::vector<kept_triangle> keep_triangles(Cut& cut, const body_triangl
     if (cut.directions[t] > 0) kept.push_back({{from.v[0], from.v[1], from.v[2]}, from.source, false});
     if (cut.directions[t] < 0) kept.push_back({{from.v[2], from.v[1], from.v[0]}, from.source, true});
   }
-  if (std::find(cut.is_seam.begin(), cut.is_seam.end(), 1) != cut.is_seam.end())
-    seam_remover(kept, cut.vertices, cut.is_seam,
-                 [&b](std::uint32_t s, std::uint32_t t) { return are_level(b, s, t); });
+  seam_removal<decltype(cut.vertices)> seams{b, cut.vertices, cut.is_seam, kept};
+  if (std::find(cut.is_seam.begin(), cut.is_seam.end(), 1) != cut.is_seam.end()) remove_seams(seams);
   return kept;
 }
 

@@ -206,18 +206,11 @@ private:
 
   static constexpr void add(std::vector<solid_span<T>>& spans, solid_span<T> span, T low, T high) {
     constexpr solid_face_origin none{csg_step::none, csg_step::none, false};
-    if (span.from < low) {
-      span.from = low;
-      span.entered = none;
-    }
-    if (high < span.to) {
-      span.to = high;
-      span.left = none;
-    }
+    if (span.from < low) span = {low, span.to, none, span.left};
+    if (high < span.to) span = {span.from, high, span.entered, none};
     if (!(span.from < span.to)) return;
     if (!spans.empty() && spans.back().to == span.from) {  // they are apart by less than numbers are
-      span.from = spans.back().from;
-      span.entered = spans.back().entered;
+      span = {spans.back().from, span.to, spans.back().entered, span.left};
       spans.pop_back();
     }
     spans.push_back(span);

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <irg/solid/detail/body_triangles.hpp>
@@ -167,11 +168,7 @@ constexpr void name_contacts(Cut& c) {
     if (key.v[1] == no_index) c.is_touched[key.v[0]] = 1;
     vertex.push_back(key.v[1] == no_index ? key.v[0] : c.vertices.add(key));
   }
-  std::vector<std::uint32_t> same = c.vertices.numbers();
-  if (c.are_many()) {
-    std::vector<std::uint32_t> some = vertex;
-    c.vertices.merge(some, same);
-  }
+  const auto same = c.vertices.merge(c.are_many() ? vertex : std::vector<std::uint32_t>{});
   const auto named = [&](std::uint32_t i) {
     return same[vertex[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), c.keys[i]) -
                                                 sorted.begin())]];
@@ -278,8 +275,9 @@ constexpr bool join_parts(Cut& c) {
 // Where three triangles meet, each of them was cut by itself.
 template <class Cut>
 constexpr void merge_crossings(Cut& c) {
-  std::vector<std::uint32_t> same = c.vertices.numbers(), made(same.begin() + c.vertices.corners, same.end());
-  c.vertices.merge(made, same);
+  std::vector<std::uint32_t> made;
+  for (std::uint32_t v = c.vertices.corners; v < c.vertices.at.size(); ++v) made.push_back(v);
+  const auto same = c.vertices.merge(std::move(made));
   for (cut_triangle& t : c.triangles)
     for (std::uint32_t& v : t.v) v = same[v];
   for (auto& [from, to, triangle] : c.cuts) {

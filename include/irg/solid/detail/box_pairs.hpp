@@ -22,7 +22,12 @@ struct IRG_APART space_box {
 
   constexpr bool operator==(const space_box&) const = default;
 
-  constexpr void add(const point<double, 3>& p) noexcept { add(space_box{{p.x, p.y, p.z}, {p.x, p.y, p.z}}); }
+  constexpr void add(const point<double, 3>& p) noexcept {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = lesser(low[i], p[i]);
+      high[i] = greater(high[i], p[i]);
+    }
+  }
   constexpr void add(const space_box& b) noexcept {
     for (int i = 0; i < 3; ++i) {
       low[i] = lesser(low[i], b.low[i]);

@@ -91,15 +91,11 @@ public:
     return irg::compare_along(axis, exact(u, 0), exact(v, 1));
   }
 
-  // Of each vertex its own number.
-  constexpr std::vector<std::uint32_t> numbers() const {
-    std::vector<std::uint32_t> own;
-    own.reserve(at.size());
-    while (own.size() < at.size()) own.push_back(static_cast<std::uint32_t>(own.size()));
-    return own;
-  }
-  // Vertices in one place become one: some of them in any order, to[v] gets the least that lies where v does.
-  constexpr void merge(std::vector<std::uint32_t>& some, std::vector<std::uint32_t>& to) {
+  // Vertices in one place become one: of each vertex the least of `some` that lies where it does, of others their own
+  // number.
+  constexpr std::vector<std::uint32_t> merge(std::vector<std::uint32_t> some) {
+    std::vector<std::uint32_t> to(at.size(), 0);
+    for (std::uint32_t v = 0; v < to.size(); ++v) to[v] = v;
     const auto order = [this](std::uint32_t u, std::uint32_t v) {
       for (int axis = 0; axis < 3; ++axis)
         if (const int way = compare(u, v, axis); way != 0) return way;
@@ -113,6 +109,7 @@ public:
       if (order(some[first], some[i]) != 0) first = i;
       to[some[i]] = some[first];
     }
+    return to;
   }
 
 private:

@@ -88,16 +88,12 @@ struct face_triangulation {
 
 // The pieces round a corner, one after the other; no_index behind the last.
 struct piece_walk {
-  std::uint32_t l, first, at;
+  std::uint32_t l, first, at = first;
   bool is_back = false;
 };
 
 constexpr int side_from(const face_piece& t, std::uint32_t l) noexcept { return t.v[0] == l ? 0 : t.v[1] == l ? 1 : 2; }
 
-template <class Face>
-constexpr piece_walk pieces_round(const Face& f, std::uint32_t l) noexcept {
-  return {l, f.piece_of[l], f.piece_of[l]};
-}
 template <class Face>
 constexpr void go_round(const Face& f, piece_walk& w) noexcept {
   const int k = side_from(f.pieces[w.at], w.l);
@@ -110,7 +106,7 @@ constexpr void go_round(const Face& f, piece_walk& w) noexcept {
 // The piece that has a side from a to b; sought round both, since one of them may have many.
 template <class Face>
 constexpr std::uint32_t piece_with(const Face& f, std::uint32_t a, std::uint32_t b) noexcept {
-  piece_walk x = pieces_round(f, a), y = pieces_round(f, b);
+  piece_walk x{a, f.piece_of[a]}, y{b, f.piece_of[b]};
   while (x.at != no_index) {
     const face_piece& one = f.pieces[x.at];
     if (one.v[(side_from(one, a) + 1) % 3] == b) return x.at;
@@ -346,7 +342,7 @@ constexpr bool is_ahead(Face& f, std::uint32_t a, std::uint32_t b, std::uint32_t
 // Makes the edge from `at` to the next corner on the way to `end` a cut, and gives that corner.
 template <class Face>
 constexpr std::uint32_t advance_constraint(Face& f, std::uint32_t at, std::uint32_t end) {
-  for (piece_walk w = pieces_round(f, at); w.at != no_index; go_round(f, w)) {
+  for (piece_walk w{at, f.piece_of[at]}; w.at != no_index; go_round(f, w)) {
     const face_piece& t = f.pieces[w.at];
     const int k = side_from(t, at);
     const std::uint32_t q = t.v[(k + 1) % 3], r = t.v[(k + 2) % 3];

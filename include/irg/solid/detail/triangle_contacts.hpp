@@ -51,10 +51,9 @@ constexpr seen_triangle see_triangle(const std::vector<P>& points, const triangl
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = seen_along(axis, *s.p[0]), b = seen_along(axis, *s.p[1]), c = seen_along(axis, *s.p[2]);
     const double area = magnitude((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-    if (area > largest) {
-      largest = area;
-      s.axis = axis;
-    }
+    if (!(area > largest)) continue;
+    largest = area;
+    s.axis = axis;
   }
   s.turn = orientation_along(s.axis, *s.p[0], *s.p[1], *s.p[2]);
   for (int axis = 0; axis < 3 && s.turn == 0; ++axis)
@@ -67,10 +66,9 @@ constexpr std::uint8_t place_of(const int (&sign)[3]) noexcept {
   int zeros = 0, last = 0;
   for (int k = 0; k < 3; ++k) {
     if (sign[k] < 0) return off_triangle;
-    if (sign[k] == 0) {
-      ++zeros;
-      last = k;
-    }
+    if (sign[k] != 0) continue;
+    ++zeros;
+    last = k;
   }
   if (zeros == 0) return inside_triangle;
   if (zeros == 1) return static_cast<std::uint8_t>(3 + last);
