@@ -51,9 +51,8 @@ template <Floating T>
 /// cost    the edges times the corners of each two portals on a way
 /// source  Luebke and Georges 1995
 template <Floating T, class Sink>
-  requires std::invocable<const Sink&, std::uint32_t>
-constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
-                                    const Sink& sink);
+  requires std::invocable<Sink&, std::uint32_t>
+constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye, Sink&& sink);
 
 }  // namespace IRG_ABI
 
@@ -92,7 +91,7 @@ constexpr space_doors<T> doors_of(const space_plan<T>& plan) {
 // most_doors were looked at.
 template <Floating T, class MayPass, class Sink>
 constexpr bool walk_doors(const space_doors<T>& doors, std::uint32_t cell, std::uint64_t most_doors,
-                          const MayPass& may_pass, const Sink& sink) {
+                          const MayPass& may_pass, Sink& sink) {
   std::vector<const space_doorway<T>*> passed;
   sink(cell);
   const auto enter = [&](const space_doorway<T>& d) {
@@ -445,9 +444,9 @@ template <Floating T>
 }
 
 template <Floating T, class Sink>
-  requires std::invocable<const Sink&, std::uint32_t>
+  requires std::invocable<Sink&, std::uint32_t>
 constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
-                                    const Sink& sink) {
+                                    Sink&& sink) {
   if (cell >= plan.cells.size()) return;
   const auto may_pass = [&](const auto& passed, const detail::space_doorway<T>& d) {
     if (orient3d(d.ring[0], d.ring[1], d.ring[2], eye) <= 0) return false;
