@@ -36,8 +36,8 @@ inline namespace IRG_ABI {
 /// The cells of row y from l to d that lie in the window; a row of none begins where it ends, or behind.
 /// needs   l and d within int, in cells
 /// exact   ends are compared and rounded as fractions
-[[nodiscard]] constexpr span_of_cells cells_of_row(int y, const row_crossing& l, const row_crossing& d,
-                                                   sample_rule rule, const cell_window& window) noexcept {
+[[nodiscard]] IRG_INLINE constexpr span_of_cells cells_of_row(int y, const row_crossing& l, const row_crossing& d,
+                                                              sample_rule rule, const cell_window& window) noexcept {
   if (rule == sample_rule::closed ? d < l : !(l < d)) return {};
   const int128 l_unit = int128{l.d} * one_pixel, d_unit = int128{d.d} * one_pixel;
   const bool rounded = rule == sample_rule::rounded;
@@ -45,8 +45,8 @@ inline namespace IRG_ABI {
   const int128 last = rounded                          ? floor_div(2 * d.n + d_unit, 2 * d_unit) + 1
                       : rule == sample_rule::half_open ? ceil_div(d.n, d_unit)
                                                        : floor_div(d.n, d_unit) + 1;
-  return {y, static_cast<int>(greater<int128>(first, window.x_first)),
-          static_cast<int>(lesser<int128>(last, window.x_last))};
+  return {y, static_cast<int>(greater<std::int64_t>(static_cast<std::int64_t>(first), window.x_first)),
+          static_cast<int>(lesser<std::int64_t>(static_cast<std::int64_t>(last), window.x_last))};
 }
 
 }  // namespace IRG_ABI
