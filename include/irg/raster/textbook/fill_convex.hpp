@@ -63,8 +63,10 @@ constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_windo
       else
         d = lesser(d, x);
     }
-    const span_of_cells row = cells_of_row(static_cast<int>(y), l, d, rule, window);
-    if (row.x_first < row.x_last) sink(row);
+    const row_cells row = cells_of_row(l, d, rule);
+    const std::int64_t first = greater<std::int64_t>(row.first, window.x_first);
+    const std::int64_t last = lesser<std::int64_t>(row.last, window.x_last);
+    if (first < last) sink(span_of_cells{static_cast<int>(y), static_cast<int>(first), static_cast<int>(last)});
   }
 }
 
