@@ -6,12 +6,10 @@
 
 namespace {
 
-using irg::span_of_cells;
 using irg::textbook::cells_of_row;
+using irg::textbook::row_cells;
 using irg::textbook::row_crossing;
 using irg::textbook::sample_rule;
-
-constexpr irg::cell_window rows_window{-50, -50, 50, 50};
 
 // Whether a rule gives cell x to a row from l / (256 ld) to d / (256 dd), by its words alone.
 bool has_cell(long long x, long long l, long long ld, long long d, long long dd, sample_rule rule) {
@@ -25,15 +23,12 @@ bool has_cell(long long x, long long l, long long ld, long long d, long long dd,
 
 TEST_CASE("textbook::cells_of_row: rows of the lecture's polygon") {
   constexpr row_crossing l{299 * 256, 3}, d{102 * 256, 1};  // 99 2/3 to 102
-  constexpr irg::cell_window wide{0, 0, 999, 999};
-  CHECK_BOTH(cells_of_row(51, l, d, sample_rule::course, wide) == span_of_cells{51, 100, 103});
-  CHECK_BOTH(cells_of_row(51, l, d, sample_rule::half_open, wide) == span_of_cells{51, 100, 102});
-  CHECK_BOTH(cells_of_row(51, d, d, sample_rule::closed, wide) == span_of_cells{51, 102, 103});
-  CHECK_BOTH(cells_of_row(51, d, d, sample_rule::course, wide) == span_of_cells{});
-  CHECK_BOTH(cells_of_row(51, d, l, sample_rule::closed, wide) == span_of_cells{});
-  CHECK_BOTH(cells_of_row(51, l, {525 * 256, 2}, sample_rule::rounded, wide) == span_of_cells{51, 100, 264});
-  CHECK_BOTH(cells_of_row(51, l, d, sample_rule::course, {0, 0, 101, 99}) == span_of_cells{51, 100, 101});
-  CHECK_BOTH(cells_of_row(51, l, d, sample_rule::course, {200, 0, 300, 99}).x_first == 200);
+  CHECK_BOTH(cells_of_row(l, d, sample_rule::course) == row_cells{100, 103});
+  CHECK_BOTH(cells_of_row(l, d, sample_rule::half_open) == row_cells{100, 102});
+  CHECK_BOTH(cells_of_row(d, d, sample_rule::closed) == row_cells{102, 103});
+  CHECK_BOTH(cells_of_row(d, d, sample_rule::course) == row_cells{});
+  CHECK_BOTH(cells_of_row(d, l, sample_rule::closed) == row_cells{});
+  CHECK_BOTH(cells_of_row(l, {525 * 256, 2}, sample_rule::rounded) == row_cells{100, 264});
 }
 
 TEST_CASE("textbook::cells_of_row: each cell by the rule's words, for random fractions") {
@@ -45,9 +40,9 @@ TEST_CASE("textbook::cells_of_row: each cell by the rule's words, for random fra
     const long long d = r.integer(0, 9) == 0 ? l * dd / ld : r.integer(-20, 20) * 128 * dd + r.integer(-1, 1);
     for (const sample_rule rule :
          {sample_rule::course, sample_rule::closed, sample_rule::rounded, sample_rule::half_open}) {
-      const span_of_cells row = cells_of_row(7, {l, ld}, {d, dd}, rule, rows_window);
-      for (int x = rows_window.x_first; x < rows_window.x_last; ++x) {
-        const bool drawn = row.x_first <= x && x < row.x_last;
+      const row_cells row = cells_of_row({l, ld}, {d, dd}, rule);
+      for (int x = -50; x < 50; ++x) {
+        const bool drawn = row.first <= x && x < row.last;
         wrong += drawn != has_cell(x, l, ld, d, dd, rule);
         cells += drawn;
       }

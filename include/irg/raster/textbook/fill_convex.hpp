@@ -57,14 +57,16 @@ constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_windo
       const std::int64_t a = p.y - q.y, b = q.x - p.x;  // a x + b y + c = 0
       if (a == 0) continue;
       const int128 c = int128{p.x} * q.y - int128{q.x} * p.y, along = -int128{b} * (y * unit) - c;
-      const row_crossing x{a > 0 ? along : -along, a > 0 ? a : -a};
+      const row_crossing x = a > 0 ? row_crossing{along, a} : row_crossing{-along, -a};
       if ((a < 0) == (double_area <= 0))  // rises, and the polygon runs clockwise, y up; or neither
         l = greater(l, x);
       else
         d = lesser(d, x);
     }
-    const span_of_cells row = cells_of_row(static_cast<int>(y), l, d, rule, window);
-    if (row.x_first < row.x_last) sink(row);
+    const row_cells row = cells_of_row(l, d, rule);
+    const std::int64_t first = greater<std::int64_t>(row.first, window.x_first);
+    const std::int64_t last = lesser<std::int64_t>(row.last, window.x_last);
+    if (first < last) sink(span_of_cells{static_cast<int>(y), static_cast<int>(first), static_cast<int>(last)});
   }
 }
 

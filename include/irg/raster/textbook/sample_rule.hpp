@@ -5,11 +5,9 @@
 
 #include <cstdint>
 
-#include <irg/core/sinks.hpp>
 #include <irg/math/floor_division.hpp>
 #include <irg/math/int128.hpp>
 #include <irg/raster/subpixel.hpp>
-#include <irg/raster/window.hpp>
 
 namespace irg::textbook {
 
@@ -31,22 +29,26 @@ struct row_crossing {
   }
 };
 
+/// The cells [first, last) of a row.
+struct row_cells {
+  std::int64_t first = 0, last = 0;
+  friend constexpr bool operator==(const row_cells&, const row_cells&) = default;
+};
+
 inline namespace IRG_ABI {
 
-/// The cells of row y from l to d that lie in the window; a row of none begins where it ends, or behind.
-/// needs   l and d within int, in cells
+/// The cells of a row from l to d.
 /// exact   ends are compared and rounded as fractions
-[[nodiscard]] constexpr span_of_cells cells_of_row(int y, const row_crossing& l, const row_crossing& d,
-                                                   sample_rule rule, const cell_window& window) noexcept {
-  if (rule == sample_rule::closed ? d < l : !(l < d)) return {};
+[[nodiscard]] constexpr row_cells cells_of_row(const row_crossing& l, const row_crossing& d,
+                                               sample_rule rule) noexcept {
   const int128 l_unit = int128{l.d} * one_pixel, d_unit = int128{d.d} * one_pixel;
   const bool rounded = rule == sample_rule::rounded;
+  if (rule == sample_rule::closed ? d < l : !(l < d)) return {};
   const int128 first = rounded ? floor_div(2 * l.n + l_unit, 2 * l_unit) : ceil_div(l.n, l_unit);
   const int128 last = rounded                          ? floor_div(2 * d.n + d_unit, 2 * d_unit) + 1
                       : rule == sample_rule::half_open ? ceil_div(d.n, d_unit)
                                                        : floor_div(d.n, d_unit) + 1;
-  return {y, static_cast<int>(greater<int128>(first, window.x_first)),
-          static_cast<int>(lesser<int128>(last, window.x_last))};
+  return {static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
 }
 
 }  // namespace IRG_ABI

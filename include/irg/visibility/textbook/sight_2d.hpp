@@ -50,23 +50,23 @@ namespace irg::textbook::inline IRG_ABI {
 /// source  Fabris 2012, 4.3.3 and 4.3.4, with its walls between cells taken as their cells
 template <CellGrid G>
 [[nodiscard]] constexpr sight sight_2d(const G& g, cell a, cell b, corner_case corners = corner_case::both) {
-  const grid_extent e = extent_of(g);
-  if (!e.holds(a) || !e.holds(b)) return sight::blocked;
+  if (!extent_of(g).holds(a) || !extent_of(g).holds(b)) return sight::blocked;
   const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
   const bool diagonal = dx == dy || dx == -dy;
   bool left = false, right = false, partial = false;
   const bool clear = sight_steps(a, b, [&](const sight_step& s) {
     if (s.next != a && s.next != b && is_full(g, s.next)) return false;
     if (s.through == passage::none) return !detail::wall_between(g, s.at, s.next);
-    const bool ahead = detail::way_blocked(g, s.at, s.ahead, s.next),
-               aside = detail::way_blocked(g, s.at, s.aside, s.next);
+    const auto closed = [&](const cell& side) { return detail::way_blocked(g, s.at, side, s.next); };
     if (diagonal) {  // D = m/2 at each step: sides are remembered
-      left = left || ahead;
-      right = right || aside;
+      left = left || closed(s.ahead);
+      right = right || closed(s.aside);
       return !(left && right);
     }
-    if (s.through == passage::ahead) return !ahead;
+    if (s.through == passage::ahead) return !closed(s.ahead);
+    const bool aside = closed(s.aside);
     if (s.through == passage::aside || corners == corner_case::as_printed) return !aside;
+    const bool ahead = closed(s.ahead);
     partial = partial || ahead || aside;
     return !(ahead && aside);
   });
