@@ -171,7 +171,7 @@ struct uncut {
 };
 
 // Its items stand from `first` on, somewhere in its places of one of the two buffers.
-struct split_range {
+struct area_split_range {
   std::uint32_t begin = 0, places = 0, first = 0, count = 0;
   std::int32_t depth = 0, buffer = 0;
   float area = 0;
@@ -215,7 +215,7 @@ struct slice_row {
 // gives the parts of an item on both sides of a plane, planes are tried too that cut items in two.
 template <class Cut>
 struct area_splits {
-  using range = split_range;
+  using range = area_split_range;
 
   std::vector<bvh_item> items[2];  // a split moves those of a range from one buffer to the other
   int bins, deepest;
@@ -232,12 +232,12 @@ constexpr area_splits<Cut> make_area_splits(std::vector<bvh_item>&& items, int b
 }
 
 template <class Cut>
-IRG_INLINE constexpr float priority_of(const area_splits<Cut>&, const split_range& r) noexcept {
+IRG_INLINE constexpr float priority_of(const area_splits<Cut>&, const area_split_range& r) noexcept {
   return r.area;
 }
 
 template <class Cut>
-IRG_INLINE constexpr const bvh_item& item_at(const area_splits<Cut>& splits, const split_range& r,
+IRG_INLINE constexpr const bvh_item& item_at(const area_splits<Cut>& splits, const area_split_range& r,
                                              std::uint32_t i) noexcept {
   return splits.items[r.buffer][r.first + i];
 }
@@ -253,7 +253,7 @@ constexpr float leaves_for(std::uint32_t count) noexcept {
   return static_cast<float>(leaves);
 }
 
-constexpr void fill_rows(bin_row (&rows)[3], const std::vector<bvh_item>& from, const split_range& r,
+constexpr void fill_rows(bin_row (&rows)[3], const std::vector<bvh_item>& from, const area_split_range& r,
                          const bvh_bins& b) noexcept {
   for (bin_row& row : rows)
     for (int i = 0; i < b.count; ++i) {
@@ -284,7 +284,7 @@ constexpr float area_in_common(const bvh_item& a, const bvh_item& b) noexcept {
 }
 
 template <class Cut>
-constexpr split_choice cheapest_split(const std::vector<bvh_item>& from, const split_range& r,
+constexpr split_choice cheapest_split(const std::vector<bvh_item>& from, const area_split_range& r,
                                       const bvh_bins& b) noexcept {
   bin_row rows[3];
   fill_rows(rows, from, r, b);
@@ -318,7 +318,7 @@ constexpr split_choice cheapest_split(const std::vector<bvh_item>& from, const s
 }
 
 // What is between the items below `low` and those above `high` to both, as they have items.
-constexpr void share_places(split_range& r, split_range& second, std::size_t low, std::size_t high,
+constexpr void share_places(area_split_range& r, area_split_range& second, std::size_t low, std::size_t high,
                             const split_choice& best) noexcept {
   const std::size_t end = std::size_t{r.begin} + r.places, below = low - r.begin, above = end - 1 - high;
   const std::size_t middle =
@@ -331,7 +331,7 @@ constexpr void share_places(split_range& r, split_range& second, std::size_t low
 
 // The items of lower bins to the front of the other buffer, the rest, turned round, to the back.
 template <class Cut>
-constexpr void partition_range(area_splits<Cut>& splits, split_range& r, split_range& second, const bvh_bins& b,
+constexpr void partition_range(area_splits<Cut>& splits, area_split_range& r, area_split_range& second, const bvh_bins& b,
                                const split_choice& best) noexcept {
   const std::vector<bvh_item>& from = splits.items[r.buffer];
   std::vector<bvh_item>& to = splits.items[1 - r.buffer];
@@ -349,7 +349,7 @@ constexpr void partition_range(area_splits<Cut>& splits, split_range& r, split_r
 }
 
 template <class Cut>
-constexpr void fill_slices(const area_splits<Cut>& splits, slice_row& row, const split_range& r, const bvh_slices& s,
+constexpr void fill_slices(const area_splits<Cut>& splits, slice_row& row, const area_split_range& r, const bvh_slices& s,
                            int axis) noexcept {
   for (int i = 0; i < s.count; ++i) {
     row.around[i] = empty_item();
@@ -373,7 +373,7 @@ constexpr void fill_slices(const area_splits<Cut>& splits, slice_row& row, const
 // As partition_range; what lies on both sides of the plane comes to both in part. Gives whether there is something on
 // each.
 template <class Cut>
-constexpr bool cut_range(area_splits<Cut>& splits, split_range& r, split_range& second, const bvh_slices& s,
+constexpr bool cut_range(area_splits<Cut>& splits, area_split_range& r, area_split_range& second, const bvh_slices& s,
                          const split_choice& best) noexcept {
   const std::vector<bvh_item>& from = splits.items[r.buffer];
   std::vector<bvh_item>& to = splits.items[1 - r.buffer];
@@ -398,7 +398,7 @@ constexpr bool cut_range(area_splits<Cut>& splits, split_range& r, split_range& 
 
 // Splits by the plane that costs least, if that is less than `limit` and there are places for the parts.
 template <class Cut>
-constexpr bool split_by_plane(area_splits<Cut>& splits, split_range& r, split_range& second,
+constexpr bool split_by_plane(area_splits<Cut>& splits, area_split_range& r, area_split_range& second,
                               const split_choice& without) noexcept {
   if (r.places == r.count) return false;
   float limit = without.axis < 0 ? infinity<float> : without.cost;
@@ -442,14 +442,14 @@ constexpr bool split_by_plane(area_splits<Cut>& splits, split_range& r, split_ra
 }
 
 template <class Cut>
-constexpr float area_of_range(const area_splits<Cut>& splits, const split_range& r) noexcept {
+constexpr float area_of_range(const area_splits<Cut>& splits, const area_split_range& r) noexcept {
   bvh_item around = empty_item();
   for (std::uint32_t i = 0; i < r.count; ++i) grow(around, item_at(splits, r, i));
   return area_of(around);
 }
 
 template <class Cut>
-constexpr void halve_range(const area_splits<Cut>& splits, split_range& r, split_range& second) noexcept {
+constexpr void halve_range(const area_splits<Cut>& splits, area_split_range& r, area_split_range& second) noexcept {
   const std::uint32_t half = r.count / 2;
   const std::uint32_t middle = r.first + half;
   second = {middle, r.begin + r.places - middle, middle, r.count - half, r.depth + 1, r.buffer, 0};
@@ -459,7 +459,7 @@ constexpr void halve_range(const area_splits<Cut>& splits, split_range& r, split
 }
 
 template <class Cut>
-constexpr void split_range(area_splits<Cut>& splits, split_range& r, split_range& second) noexcept {
+constexpr void split_range(area_splits<Cut>& splits, area_split_range& r, area_split_range& second) noexcept {
   const std::vector<bvh_item>& from = splits.items[r.buffer];
   const bvh_item centres = centres_round(from, r.first, r.count);
   bvh_bins b;
