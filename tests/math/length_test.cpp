@@ -185,9 +185,9 @@ void sweep_vectors(const std::string& type, double length_bound, double unit_bou
     measure(v);
     return test::ulp_error(length(v), length_of_v);
   });
-  sweep("try_normalize, " + type, unit_bound, [&](test::random& r, sizes which) {
+  sweep("try_normalized, " + type, unit_bound, [&](test::random& r, sizes which) {
     const auto v = vector<T, N>(r, which);
-    const auto unit = try_normalize(v);
+    const auto unit = try_normalized(v);
     measure(v);
     double worst = 0;
     for (int i = 0; unit && i < N; ++i) {
@@ -232,7 +232,7 @@ void sweep_fast_lengths() {
   });
 }
 
-TEST_CASE("length, try_normalize: numbers of all sizes") {
+TEST_CASE("length, try_normalized: numbers of all sizes") {
   sweep_vectors<double, 2>("2 doubles", 0.501, 1.51);
   sweep_vectors<double, 3>("3 doubles", 0.501, 1.51);
   sweep_vectors<double, 4>("4 doubles", 0.501, 1.51);
