@@ -170,23 +170,25 @@ struct small_polygon {
 template <class F, class Target>
 IRG_INLINE constexpr void whole_rows(Target& target, whole_edge_rows<F> left, whole_edge_rows<F> right, int row,
                                      int stop, const cell_window& w) {
-  const auto send = [&](const auto& is_easy) {
+  if constexpr (lanes<F>::count > 1) {
+    const steep_rows<lanes<F>::count> steep(left, right);
     for (; row < stop; ++row) {
+      const int x_first = area_column(left.low), x_last = -area_column(right.low);
       target.begin(row);
-      if (!is_easy(area_column(left.low), -area_column(right.low)))
+      if (x_first < w.x_first || x_last > w.x_last || !steep.row(target, left, right, x_first, x_last))
         area_row<F>(target, left.row(), right.row(), 1.0f, w);
       target.end();
       left.next();
       right.next();
     }
-  };
-  if constexpr (lanes<F>::count > 1) {
-    const steep_rows<lanes<F>::count> steep(left, right);
-    send([&](int x_first, int x_last) {
-      return x_first >= w.x_first && x_last <= w.x_last && steep.row(target, left, right, x_first, x_last);
-    });
-  } else {
-    send([](int, int) { return false; });
+    return;
+  }
+  for (; row < stop; ++row) {
+    target.begin(row);
+    area_row<F>(target, left.row(), right.row(), 1.0f, w);
+    target.end();
+    left.next();
+    right.next();
   }
 }
 
