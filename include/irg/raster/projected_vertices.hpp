@@ -71,7 +71,7 @@ constexpr void project_vertices(projected_vertices<T>& out, std::span<const poin
 /// The same of positions of other types, such as glm::vec3, which `out` keeps as points of T.
 /// shape   anything with size() and [] that holds points; irg's own points of T stay where they are
 /// exact   positions to the nearest T first
-template <Floating T, SpaceRing A, Executor E = sequential>
+template <Floating T, SpaceRing A = std::span<const point<T, 3>>, Executor E = sequential>
   requires Floating<ring_scalar<A>>
 constexpr void project_vertices(projected_vertices<T>& out, const A& positions, const mat<T, 4, 4>& to_clip,
                                 const screen_mapping<T>& mapping, const E& executor = {}) {
@@ -88,7 +88,7 @@ constexpr void project_vertices(projected_vertices<T>& out, const A& positions, 
 }
 
 /// All positions, projected.
-template <Floating T, SpaceRing A, Executor E = sequential>
+template <Floating T, SpaceRing A = std::span<const point<T, 3>>, Executor E = sequential>
   requires Floating<ring_scalar<A>>
 [[nodiscard]] constexpr projected_vertices<T> project_vertices(const A& positions, const mat<T, 4, 4>& to_clip,
                                                                const screen_mapping<T>& mapping,

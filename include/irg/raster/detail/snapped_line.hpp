@@ -17,16 +17,14 @@ struct snapped_line {
 };
 
 // A position in pixels.
-IRG_INLINE constexpr point<double, 2> in_pixels(const subpixel& p) noexcept {
-  return {p.x * (1.0 / one_pixel), p.y * (1.0 / one_pixel)};
-}
-template <CellOrPosition P>
+template <ScreenPosition P>
 IRG_INLINE constexpr point<double, 2> in_pixels(const P& p) noexcept {
-  return {as_cell(p).x + 0.5, as_cell(p).y + 0.5};
-}
-template <Point P>
-IRG_INLINE constexpr point<double, 2> in_pixels(const P& p) noexcept {
-  return {widened(coordinate(p, 0)), widened(coordinate(p, 1))};
+  if constexpr (std::same_as<P, subpixel>)
+    return {p.x * (1.0 / one_pixel), p.y * (1.0 / one_pixel)};
+  else if constexpr (CellOrPosition<P>)
+    return {as_cell(p).x + 0.5, as_cell(p).y + 0.5};
+  else
+    return {widened(coordinate(p, 0)), widened(coordinate(p, 1))};
 }
 
 // exact   an end beyond the reach is moved to where the line enters it, correctly rounded, then snapped: between the
