@@ -271,11 +271,14 @@ constexpr render_stats draw_rescaled(const Method& method, const styled_objects<
   });
   float largest = 1.0f;
   for (const float l : largest_of) largest = greater(l, largest);
+  const auto row_of = []<class R>(R& raster, int y) { return raster_traits<R>::row(raster, y); };
   in_portions([&](std::size_t, int y) {
+    const float* const depths = row_of(to.depth, y);
+    rgba8* const pixels = row_of(to.colour, y);
     for (int x = 0; x < width; ++x) {
-      const bool shown = get_pixel(to.depth, x, y) != method.farthest();
+      const bool shown = depths[x] != method.farthest();
       const auto scaled = per_channel([&](float channel) { return channel / largest; }, light(x, y));
-      set_pixel(to.colour, x, y, shown ? encode(scaled) : to.background);
+      pixels[x] = shown ? encode(scaled) : to.background;
     }
   });
   return stats;

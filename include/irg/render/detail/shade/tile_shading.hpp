@@ -117,7 +117,9 @@ struct shade_by_triangle {
     std::int64_t shaded = 0;
     kept_setups kept;
     const cell_window& w = v.window;
-    for (int by = w.y_first; by < w.y_last; by += block_size)
+    for (int by = w.y_first; by < w.y_last; by += block_size) {
+      pixel_of<Colour>* rows[block_size]{};
+      for (int y = by; y < lesser(by + block_size, w.y_last); ++y) rows[y - by] = raster_traits<Colour>::row(colour, y);
       for (int x = w.x_first; x < w.x_last; x += count)
         for (int y = by; y < lesser(by + block_size, w.y_last); ++y) {
           const int at = (y - w.y_first) * tile_stride + (x - w.x_first);
@@ -125,7 +127,7 @@ struct shade_by_triangle {
           unsigned pending = ~mask_bits(places == J::broadcast(-1)) & ((1u << count) - 1);
           shaded += std::popcount(pending);
           const F depth = product(lanes<F>::load(v.key + at), lanes<F>::broadcast(v.sign));
-          auto* const row = raster_traits<Colour>::row(colour, y) + x;
+          auto* const row = rows[y - by] + x;
           collected_points<shader_type, count, pixel_of<Colour>> points{row};
           while (pending != 0) {
             const auto place = static_cast<std::uint32_t>(lane(places, std::countr_zero(pending)));
@@ -141,6 +143,7 @@ struct shade_by_triangle {
             pending &= ~same;
           }
         }
+    }
     return shaded;
   }
 
