@@ -38,7 +38,7 @@ struct meeting_search {
 
 /// What came of a search: all meetings within the tolerance; some stretches wider, the steps having been used up or the
 /// parameter's smallest step reached; or more of them than there was room for, the last one holding the rest.
-enum class bezier_intersection_status {
+enum class [[nodiscard]] bezier_intersection_status {
   ok,
   wide,
   too_many,

@@ -20,7 +20,7 @@
 namespace irg {
 
 /// Whether a polygon could be cut into triangles.
-enum class triangulation_status {
+enum class [[nodiscard]] triangulation_status {
   ok,
   crossing,    // edges cross each other, or a ring crosses itself at a vertex
   not_finite,  // a coordinate is NaN or infinite

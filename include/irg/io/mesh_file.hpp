@@ -140,8 +140,8 @@ template <Floating T>
   return encode_body_xml(std::vector{store_body<T>("body", m)});
 }
 
-/// Writes a mesh file in the format that its name's ending asks for: true when that succeeded, else the reason, and then
-/// the path is as it was before.
+/// Writes a mesh file in the format that its name's ending asks for: true when that succeeded, else the reason, and
+/// then the path is as it was before.
 template <Floating T>
 [[nodiscard]] result<void> save_mesh(const std::string& path, const mesh<T>& m,
                                      mesh_encoding encoding = mesh_encoding::text) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // draw_depth: triangles drawn for their depths alone, as shadows and occlusion want them. The depths are those that
-// shade_batches leaves; no colour is touched, and nobody keeps account of which triangle is seen. So where two faces are
-// too close to tell by their computed depths, the nearer of these stays, be it the seen one's or not.
+// shade_batches leaves; no colour is touched, and nobody keeps account of which triangle is seen. So where two faces
+// are too close to tell by their computed depths, the nearer of these stays, be it the seen one's or not.
 #pragma once
 
 #include <span>

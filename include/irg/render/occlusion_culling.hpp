@@ -272,8 +272,8 @@ struct key_plane {
   IRG_INLINE constexpr float rise(float y) const noexcept { return product(down, y); }
 };
 
-// The plane through three vertices, lowered by what rounding may amount to, here and in shade_triangle: no covered pixel
-// is farther. None is farther than the farthest vertex either, which is the better bound for slivers.
+// The plane through three vertices, lowered by what rounding may amount to, here and in shade_triangle: no covered
+// pixel is farther. None is farther than the farthest vertex either, which is the better bound for slivers.
 constexpr key_plane plane_below(const screen_vertex& a, const screen_vertex& b, const screen_vertex& c,
                                 float sign) noexcept {
   const auto number = [](std::int64_t i) { return static_cast<float>(i); };

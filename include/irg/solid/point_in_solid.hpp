@@ -29,8 +29,8 @@ namespace irg::inline IRG_ABI {
 ///         p meets, no more
 /// gives   nothing when p is on the surface; 0 for a mesh without faces and when p is not finite. Faces with positions
 ///         that are not finite count as missing
-/// exact   for all finite floats and doubles, and for the triangles that triangulated() makes of the faces: they cover a
-///         plane simple face exactly, and a face that is not plane is its triangles
+/// exact   for all finite floats and doubles, and for the triangles that triangulated() makes of the faces: they cover
+///         a plane simple face exactly, and a face that is not plane is its triangles
 /// cost    linear; allocates the triangles. solid_locator keeps them for many points
 /// source  Hoffmann 1989 (the ray), Edelsbrunner and Muecke 1990 (the move)
 template <SpaceMesh M>

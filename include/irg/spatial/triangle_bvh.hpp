@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// triangle_bvh: triangles made ready for rays. What a ray crosses is decided exactly, as intersect_triangle does: nothing
-// slips through between two triangles of a closed surface, at whatever scale.
+// triangle_bvh: triangles made ready for rays. What a ray crosses is decided exactly, as intersect_triangle does:
+// nothing slips through between two triangles of a closed surface, at whatever scale.
 #pragma once
 
 #include <array>

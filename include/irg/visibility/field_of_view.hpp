@@ -65,14 +65,14 @@ struct counted_view_memory : view_memory {
 
 inline namespace IRG_ABI {
 
-/// Adds the cells that are seen from the viewer to `seen`: those that has_line_of_sight() tells, its own among them, within the
-/// radius and the cone.
+/// Adds the cells that are seen from the viewer to `seen`: those that has_line_of_sight() tells, its own among them,
+/// within the radius and the cone.
 /// needs   `seen` of the map's extent
 /// gives   nothing when the viewer is no cell of the map
 /// exact   always
 /// cost    in the plane: a few operations per row and open sector, and per word of 64 cells that are seen; in space: a
-///         few per row of each sector that is wholly open, has_line_of_sight() for cells at borders of what is hidden. With a
-///         counted_view_memory also a few per cell of the map
+///         few per row of each sector that is wholly open, has_line_of_sight() for cells at borders of what is hidden.
+///         With a counted_view_memory also a few per cell of the map
 template <std::derived_from<view_memory> Memory>
 constexpr void add_field_of_view(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
                                  const view_options& o = {});
@@ -127,8 +127,8 @@ namespace detail::inline IRG_ABI {
 // Directions with a longest axis are pairs of slopes from -1 to 1; a sector is a square of them, whose sides are
 // fractions over a power of two. It is followed from slab to slab along the longest axis. Where no cell that it
 // touches has anything in it, all centres in it are seen; where all of them are full, nothing is seen behind them.
-// Otherwise it is cut into four, and when there are hardly more centres than sectors, has_line_of_sight() is asked. Touching counts,
-// so corners cannot matter.
+// Otherwise it is cut into four, and when there are hardly more centres than sectors, has_line_of_sight() is asked.
+// Touching counts, so corners cannot matter.
 //
 // Looks is told which cells of a slab are looked at, and how many sight lines has_line_of_sight() follows.
 
@@ -291,7 +291,8 @@ private:
       if (u.empty() || v.empty()) return;  // the sector has left the map
       looks_.cells(cell_at(slab, u.first, v.first), cell_at(slab, u.last, v.last));
       if (open && all_are(things, slab, u, v, false)) {
-        // Slopes of 1 leave the viewer's own cell through its edges, which the closed rule asks about: has_line_of_sight() tells.
+        // Slopes of 1 leave the viewer's own cell through its edges, which the closed rule asks about:
+        // has_line_of_sight() tells.
         const bool edges = rules_.corners == corner_rule::closed;
         const range within{edges ? 1 - slab : -slab, edges ? slab - 1 : slab};
         mark(slab, both(both(centres(s.u, s.level, slab, false), u_range_), within),

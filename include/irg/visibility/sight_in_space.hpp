@@ -58,7 +58,8 @@ template <Floating T>
 /// shape   faces are convex and flat; others count as the triangles from their first corner. Faces without area stop
 ///         nothing
 /// needs   finite coordinates
-/// gives   true when p == q; a face that the way touches, or runs along, stops it; has_line_of_sight(p, q, m) == has_line_of_sight(q, p, m)
+/// gives   true when p == q; a face that the way touches, or runs along, stops it; has_line_of_sight(p, q, m) ==
+///         has_line_of_sight(q, p, m)
 /// exact   for all finite floats and doubles
 /// cost    a pass over the faces; some 20 ns for each on one side of whose plane both lie
 template <Floating T>
@@ -81,7 +82,8 @@ template <Floating T>
 ///         does not hide it, so that regions may be faces of the mesh
 /// exact   `all` and `none`, for all finite floats and doubles; `some` too, but for places in a slanted region, which
 ///         are rounded to numbers beside it
-/// cost    for each face near the regions the planes through three of their corners; a has_line_of_sight() for each line
+/// cost    for each face near the regions the planes through three of their corners; a has_line_of_sight() for each
+///         line
 /// source  irg's own, by planes that part convex hulls
 template <Floating T>
 [[nodiscard]] constexpr std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,

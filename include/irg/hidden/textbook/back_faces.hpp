@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Back faces by the rules of three sources, each with the limits that it has there. facing_by_plane, facing_by_angle and
-// facing_by_order (hidden/back_faces.hpp) are the ones to use.
+// Back faces by the rules of three sources, each with the limits that it has there. facing_by_plane, facing_by_angle
+// and facing_by_order (hidden/back_faces.hpp) are the ones to use.
 #pragma once
 
 #include <irg/hidden/back_faces.hpp>

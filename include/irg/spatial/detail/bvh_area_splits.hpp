@@ -331,8 +331,8 @@ constexpr void share_places(area_split_range& r, area_split_range& second, std::
 
 // The items of lower bins to the front of the other buffer, the rest, turned round, to the back.
 template <class Cut>
-constexpr void partition_range(area_splits<Cut>& splits, area_split_range& r, area_split_range& second, const bvh_bins& b,
-                               const split_choice& best) noexcept {
+constexpr void partition_range(area_splits<Cut>& splits, area_split_range& r, area_split_range& second,
+                               const bvh_bins& b, const split_choice& best) noexcept {
   const std::vector<bvh_item>& from = splits.items[r.buffer];
   std::vector<bvh_item>& to = splits.items[1 - r.buffer];
   std::size_t low = r.begin, high = std::size_t{r.begin} + r.places - 1;
@@ -349,8 +349,8 @@ constexpr void partition_range(area_splits<Cut>& splits, area_split_range& r, ar
 }
 
 template <class Cut>
-constexpr void fill_slices(const area_splits<Cut>& splits, slice_row& row, const area_split_range& r, const bvh_slices& s,
-                           int axis) noexcept {
+constexpr void fill_slices(const area_splits<Cut>& splits, slice_row& row, const area_split_range& r,
+                           const bvh_slices& s, int axis) noexcept {
   for (int i = 0; i < s.count; ++i) {
     row.around[i] = empty_item();
     row.first[i] = row.last[i] = 0;
