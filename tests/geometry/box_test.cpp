@@ -182,7 +182,7 @@ TEST_CASE_TEMPLATE("box: size, centre and sphere, numbers of all sizes", T, doub
         const auto p = points<T, 3, 2>(r, which);
         irg::box<T, 3> b;
         for (const auto& q : p) b = bounding_box(b, q);
-        const auto s = size(b);
+        const auto s = extent(b);
         const auto middle = centre(b);
         E squared = 0;
         for (int k = 0; k < 3; ++k) {
