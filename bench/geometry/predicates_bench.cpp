@@ -110,7 +110,7 @@ void enter_batch(point_set<double, 3, 2> made, bool one_line) {
   made.name += one_line ? " (one line)" : " (a line for each)";
   const auto& s = keep(std::move(made));
   const auto& columns = keep(in_columns(s));
-  const deciders<double, 3, 2> all("orient2d_all", s);
+  const deciders<double, 3, 2> all("orient2d_batch", s);
   auto& signs = all.signs();
   const irg::point<double, 2> a = as_point<double, 2>(s.calls[0][0]), b = as_point<double, 2>(s.calls[0][1]);
   all.enter("irg", [&columns, &signs, a, b, one_line] {

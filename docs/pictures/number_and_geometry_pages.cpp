@@ -32,7 +32,7 @@ void saving::number_and_geometry_pages() {
   save("polygon", polygon_pages::edges());
   save("polygon_orientation", polygon_pages::orientation());
   save("point_in_convex_polygon", polygon_pages::convex_search());
-  save("orient2d_all", polygon_pages::batch());
+  save("orient2d_batch", polygon_pages::batch());
   save("flat_ring", polygons_in_space::shadows());
   save("newell_plane", polygons_in_space::newell());
   save("clip_stages", clip_stages::triangle());
@@ -61,7 +61,7 @@ void saving::number_and_geometry_pages() {
   failures += error_plots::write_roots(folder + "/root_errors.svg") ? 0 : 1;
   save("clip_line", clipping_pictures::lines());
   save("clip_sutherland_hodgman", clipping_pictures::polygons());
-  save("polygon_boolean", clipping_pictures::operations());
+  save("polygon_overlay", clipping_pictures::operations());
   save("clip_weiler_atherton", clipping_pictures::entering_and_leaving());
   save("intersect_segments", lines_geometry::segments());
   save("closest_point", lines_geometry::regions());

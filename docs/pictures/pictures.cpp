@@ -472,7 +472,7 @@ int main(int argc, char** argv) {
   save("soft_light", ray_pictures::soft_shadows());
   save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
-  save("intersect_triangle", tree_pictures::shares());
+  save("cross_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());
