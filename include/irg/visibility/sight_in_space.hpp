@@ -58,8 +58,7 @@ template <Floating T>
 /// shape   faces are convex and flat; others count as the triangles from their first corner. Faces without area stop
 ///         nothing
 /// needs   finite coordinates
-/// gives   true when p == q; a face that the way touches, or runs along, stops it; has_line_of_sight(p, q, m) ==
-///         has_line_of_sight(q, p, m)
+/// gives   true when p == q; a face that the way touches, or runs along, stops it; the same with p and q exchanged
 /// exact   for all finite floats and doubles
 /// cost    a pass over the faces; some 20 ns for each on one side of whose plane both lie
 template <Floating T>
