@@ -208,7 +208,7 @@ IRG_INLINE void store_group(tile_triangles& to, const group_lanes& g) noexcept {
   J::store(to.y_last, g.y_first + g.rows);
 }
 
-// Sets up `used` triangles, and draws the small ones.
+// Sets up `used` triangles, and draws the few_pixels ones.
 template <tile_test Test, class T>
 IRG_INLINE group_state set_up_group(tile_pass<T>& p, tile_triangles& out, std::size_t first, int used) noexcept {
   using J = lanes<tile_integers>;
@@ -224,10 +224,10 @@ IRG_INLINE group_state set_up_group(tile_pass<T>& p, tile_triangles& out, std::s
   // They are drawn before the others of their group, which changes nothing unless the later one always wins.
   const tile_integers is_small =
       both(both(g.columns < end, g.rows < end), both(boxes.narrow, J::ramp() < J::broadcast(used)));
-  const unsigned small = Test == tile_test::always ? 0u : mask_bits(is_small);
-  if (small != 0) draw_small<Test>(p, g, both(g.columns, is_small), out.place, small);
-  if (small != everyone) store_group(out, g);
-  return {large, small};
+  const unsigned few_pixels = Test == tile_test::always ? 0u : mask_bits(is_small);
+  if (few_pixels != 0) draw_small<Test>(p, g, both(g.columns, is_small), out.place, few_pixels);
+  if (few_pixels != everyone) store_group(out, g);
+  return {large, few_pixels};
 }
 
 // One triangle of a group that is not small.
