@@ -77,4 +77,11 @@ constexpr bool stops_at_corner(const G& g, const corner_step& step, corner_rule 
 }
 
 }  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+// Here, since every header with a has_line_of_sight includes this one.
+IRG_RENAMED(see, has_line_of_sight)
+
+}  // namespace IRG_ABI
 }  // namespace irg

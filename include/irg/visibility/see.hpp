@@ -9,7 +9,6 @@
 #include <cstdint>
 
 #include <irg/visibility/corner_rule.hpp>
-#include <irg/visibility/sight_result.hpp>
 
 namespace irg {
 

@@ -9,6 +9,7 @@
 
 #include <irg/core/ring.hpp>
 #include <irg/math/vec.hpp>
+#include <irg/visibility/corner_rule.hpp>
 
 namespace irg {
 
@@ -96,9 +97,4 @@ struct source_regions {
   constexpr bool operator==(const source_regions&) const = default;
 };
 
-inline namespace IRG_ABI {
-
-IRG_RENAMED(see, has_line_of_sight)
-
-}  // namespace IRG_ABI
 }  // namespace irg

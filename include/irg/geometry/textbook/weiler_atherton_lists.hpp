@@ -15,12 +15,7 @@ namespace irg::textbook {
 
 /// What Weiler and Atherton's clipping comes to. `touching`: a vertex lies on the other polygon's boundary, or entering
 /// and leaving points do not take turns: crossings are too near to each other, or rings are not as they should be.
-enum class [[nodiscard]] weiler_atherton_status {
-  ok,
-  touching,
-  not_finite,
-  done [[deprecated("irg: done is now ok")]] = ok
-};
+enum class [[nodiscard]] weiler_atherton_status { ok, touching, not_finite, done [[deprecated("irg: ok")]] = ok };
 
 /// A vertex, at the start of its edge, or a crossing along that edge, with its number among the crossings.
 struct listed_vertex {
@@ -48,12 +43,13 @@ struct weiler_atherton_lists {
 inline namespace IRG_ABI {
 
 /// The lists of two polygons with their crossings.
+/// shape   a polygon is a list of rings, a ring one of points of doubles
 /// needs   rings that neither cross themselves nor another ring of the same polygon
 /// exact   which edges cross, and what enters, is decided exactly; crossings within 0.501 ulp
 /// cost    each edge against each edge of the other polygon; allocates
 /// source  Weiler and Atherton 1977
-[[nodiscard]] constexpr weiler_atherton_lists list_crossings(const std::vector<std::vector<point<double, 2>>>& subject,
-                                                             const std::vector<std::vector<point<double, 2>>>& clip) {
+template <class Rings>
+[[nodiscard]] constexpr weiler_atherton_lists list_crossings(const Rings& subject, const Rings& clip) {
   weiler_atherton_lists out;
   out.subject.resize(subject.size());
   out.clip.resize(clip.size());

@@ -48,14 +48,16 @@ inline namespace IRG_ABI {
 
 /// Whether a part has corners on a side of the plane of another's polygon. What that plane cut lies on one side of it,
 /// whatever its rounded points say.
-[[nodiscard]] constexpr bool reaches(const depth_sort_part& p, const depth_sort_part& other, int side) {
+template <class Part>
+[[nodiscard]] constexpr bool reaches(const Part& p, const Part& other, int side) {
   for (const auto& [number, its_side] : p.cuts)
     if (number == other.polygon.number) return its_side == side;
   return has_corner_on(p.polygon.corners, other.plane, side);
 }
 
 /// Whether P does not hide Q: their depths are apart, or one of the five tests says so.
-[[nodiscard]] constexpr bool does_not_hide(const depth_sort_part& p, const depth_sort_part& q) {
+template <class Part>
+[[nodiscard]] constexpr bool does_not_hide(const Part& p, const Part& q) {
   const auto by = [&](newell_step test) { return does_not_hide_by(test, p.polygon.corners, q.polygon.corners); };
   return p.nearest <= q.farthest || p.polygon.number == q.polygon.number ||
          std::find(p.let_pass.begin(), p.let_pass.end(), q.made) != p.let_pass.end() || by(newell_step::x_apart) ||
@@ -65,7 +67,8 @@ inline namespace IRG_ABI {
 
 /// Splits a part by the plane of another's polygon; both halves go where their farthest corners belong in the list.
 /// gives   false, and nothing done, where that plane does not cut it
-[[nodiscard]] constexpr bool split_part(depth_sort_list& list, std::size_t cut, std::size_t by) {
+template <class List>
+[[nodiscard]] constexpr bool split_part(List& list, std::size_t cut, std::size_t by) {
   const depth_sort_part whole = list.parts[cut], other = list.parts[by];
   if (other.polygon.number == whole.polygon.number || !reaches(whole, other, 1) || !reaches(whole, other, -1))
     return false;

@@ -18,11 +18,12 @@ inline namespace IRG_ABI {
 
 /// What of a convex polygon lies on one side of a plane; both sides get the same new points.
 /// exact   a new point is within 0.501 ulp of where the edge crosses the plane
-[[nodiscard]] constexpr space_corners part_on_side(const space_corners& ring, const visible_plane<double>& plane,
-                                                   int side) {
-  space_corners kept;
+template <Floating T>
+[[nodiscard]] constexpr std::vector<point<T, 3>> part_on_side(const std::vector<point<T, 3>>& ring,
+                                                              const visible_plane<T>& plane, int side) {
+  std::vector<point<T, 3>> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const point<double, 3>&a = ring[i], &b = ring_vertex(ring, i + 1);
+    const point<T, 3>&a = ring[i], &b = ring_vertex(ring, i + 1);
     const int at_a = viewed_side(plane, a), at_b = viewed_side(plane, b);
     if (at_a == side || at_a == 0) kept.push_back(a);
     if (at_a * at_b < 0)
@@ -33,10 +34,11 @@ inline namespace IRG_ABI {
 }
 
 /// The area that two convex polygons have in common on the screen: that of what of P is inside the prism over Q.
-[[nodiscard]] constexpr double area_in_common(space_corners p, const space_corners& q) {
+template <Floating T>
+[[nodiscard]] constexpr T area_in_common(std::vector<point<T, 3>> p, const std::vector<point<T, 3>>& q) {
   const int up = visible_plane_of(q).up;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const point<double, 3>&a = q[i], &b = ring_vertex(q, i + 1);
+    const point<T, 3>&a = q[i], &b = ring_vertex(q, i + 1);
     p = part_on_side(p, {{a.x, a.y, 0}, {b.x, b.y, 0}, {a.x, a.y, 1}, 1}, -up);
   }
   return magnitude(polygon_area(without_depth(p)));
