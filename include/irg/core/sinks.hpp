@@ -3,7 +3,6 @@
 // sink returns is ignored; it may be stateful and need not be copyable.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 
 #include <irg/core/config.hpp>
@@ -14,7 +13,7 @@ namespace irg {
 struct cell {
   int x = 0, y = 0;
   friend constexpr bool operator==(const cell&, const cell&) = default;
-  friend constexpr auto operator<=>(const cell&, const cell&) = default;
+  friend constexpr bool operator<(const cell& a, const cell& b) noexcept { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 };
 
 /// The pixels with x_first <= x < x_last and y_first <= y < y_last; none when either range is empty.

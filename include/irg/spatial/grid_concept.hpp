@@ -23,7 +23,9 @@ struct cell3 {
   /// The cell of a flat grid, which is the layer 0 of one in space.
   IRG_INLINE constexpr cell3(cell c) noexcept : x(c.x), y(c.y) {}
   friend constexpr bool operator==(const cell3&, const cell3&) = default;
-  friend constexpr auto operator<=>(const cell3&, const cell3&) = default;
+  friend constexpr bool operator<(const cell3& a, const cell3& b) noexcept {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+  }
 
   /// The coordinate along axis 0, 1 or 2.
   IRG_INLINE constexpr int operator[](int axis) const noexcept { return axis == 0 ? x : axis == 1 ? y : z; }

@@ -6,8 +6,8 @@
 
 namespace {
 
-using irg::textbook::depth_sort_list;
-using irg::textbook::depth_sort_part;
+using depth_sort_list = irg::textbook::depth_sort_list<double>;
+using depth_sort_part = irg::textbook::depth_sort_part<double>;
 using ring = std::vector<irg::point<double, 3>>;
 
 constexpr depth_sort_part part_of(const ring& corners, std::uint32_t number) {

@@ -18,8 +18,8 @@ namespace irg::detail::inline IRG_ABI {
 // The last of the list, P, may hide part q, which was moved: q is split by the plane of P, or P by that of q, or any of
 // those that were moved by another's. Where no plane cuts, only rounded points say that one of them hides the next: of
 // what might, the least is let pass.
-template <class Observer>
-constexpr void break_cycle(textbook::depth_sort_list& list, std::size_t q, Observer& observer) {
+template <Floating T, class Observer>
+constexpr void break_cycle(textbook::depth_sort_list<T>& list, std::size_t q, Observer& observer) {
   auto& parts = list.parts;
   const std::size_t last = parts.size() - 1;
   std::vector<std::size_t> in_turn;
@@ -44,7 +44,7 @@ constexpr void break_cycle(textbook::depth_sort_list& list, std::size_t q, Obser
         if (!does_not_hide(parts[k], parts[j]) && shared(k, j) < shared(least.first, least.second)) least = {k, j};
     parts[least.first].let_pass.push_back(parts[least.second].made);
   }
-  for (textbook::depth_sort_part& p : parts) p.moved = false;
+  for (textbook::depth_sort_part<T>& p : parts) p.moved = false;
 }
 
 }  // namespace irg::detail::inline IRG_ABI
@@ -60,21 +60,21 @@ namespace irg::textbook::inline IRG_ABI {
 ///         order may be wrong there
 /// cost    n^2 tests where all overlap in depth, a sort where none do; those that hide each other make parts. Allocates
 /// source  Hidden-surface slides, after Newell, Newell and Sancha 1972
-template <class Observer = no_newell_observer>
-[[nodiscard]] constexpr std::vector<depth_sorted_polygon> depth_sort(const std::vector<space_corners>& polygons,
-                                                                     Observer&& observer = {}) {
-  depth_sort_list list;
+template <Floating T, class Observer = no_newell_observer>
+[[nodiscard]] constexpr std::vector<depth_sorted_polygon<T>> depth_sort(
+    const std::vector<std::vector<point<T, 3>>>& polygons, Observer&& observer = {}) {
+  depth_sort_list<T> list;
   auto& parts = list.parts;
-  for (const space_corners& p : polygons) {
+  for (const auto& p : polygons) {
     const std::uint32_t number = list.made++;
     if (!p.empty() && is_finite(p)) parts.push_back(make_part(p, number, visible_plane_of(p), number));
   }
-  std::sort(parts.begin(), parts.end(), [](const depth_sort_part& a, const depth_sort_part& b) {
+  std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
     return a.farthest != b.farthest ? a.farthest > b.farthest : a.polygon.number > b.polygon.number;
   });
-  std::vector<depth_sorted_polygon> order;
+  std::vector<depth_sorted_polygon<T>> order;
   while (!parts.empty()) {
-    depth_sort_part& p = parts.back();
+    depth_sort_part<T>& p = parts.back();
     std::size_t q = parts.size() - 1;  // of those before P, the last that P may hide, or P itself
     while (q > 0 && does_not_hide(p, parts[q - 1])) --q;
     if (q == 0) {

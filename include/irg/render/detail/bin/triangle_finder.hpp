@@ -426,7 +426,8 @@ constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, cons
 }
 
 // Lays the lists of all portions one after the other.
-constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const executor_ref& executor) {
+template <Executor E>
+constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& executor) {
   bins.tile_first.assign(tiles + 1, 0);
   bins.tile_area.assign(tiles, 0.0f);
   bins.skipped = {};
