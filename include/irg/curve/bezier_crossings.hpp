@@ -45,10 +45,6 @@ enum class [[nodiscard]] bezier_intersection_status {
   within_tolerance [[deprecated("irg: within_tolerance is now ok")]] = ok
 };
 
-/// The old name of bezier_intersection_status.
-using meetings_found [[deprecated("irg: bezier_intersection_status is now bezier_intersection_status")]] =
-    bezier_intersection_status;
-
 namespace detail::inline IRG_ABI {
 
 // Stretch k of 2^level of a curve: its control points, and how far rounding may have moved them.

@@ -39,9 +39,6 @@ enum class [[nodiscard]] knots_status {
   none [[deprecated("irg: none is now ok")]] = ok
 };
 
-/// The old name of knots_status.
-using knots_error [[deprecated("irg: knots_status is now knots_status")]] = knots_status;
-
 /// The Degree of bspline_knots that bring it along.
 inline constexpr int degree_at_run_time = -1;
 
