@@ -60,9 +60,41 @@
 #else
 #define IRG_CHECKS checked
 #endif
-#define IRG_JOIN_EXPANDED(major, isa, fma, checks) v##major##_##isa##_##fma##_##checks
-#define IRG_JOIN(major, isa, fma, checks) IRG_JOIN_EXPANDED(major, isa, fma, checks)
-#define IRG_ABI IRG_JOIN(IRG_VERSION_MAJOR, IRG_ISA, IRG_ISA_FMA, IRG_CHECKS)
+
+// Doors: the functions of the heavy half, which a program that links irg::compiled finds in that library. There
+// IRG_COMPILED is defined, doors are declared and their bodies not read: IRG_BODIES is 0. Constant evaluation needs bodies:
+// a file that defines IRG_HEADER_ONLY before its first header of irg has them, as if there were no library. The library's
+// own files define IRG_COMPILING.
+//   IRG_DOOR   stands where constexpr would, in the door's declaration and in its definition
+//   IRG_DOORS  names the inline namespace of doors: one for all instruction sets where they are compiled apart
+// Doors are templates, whose instances src/*.cpp lists. Whatever calls them differs between the three, and so does the
+// name of its namespace.
+#if defined(IRG_COMPILING)
+#define IRG_BODIES 1
+#define IRG_LINKAGE library
+#elif defined(IRG_COMPILED) && !defined(IRG_HEADER_ONLY)
+#define IRG_BODIES 0
+#define IRG_LINKAGE compiled
+#else
+#define IRG_BODIES 1
+#define IRG_LINKAGE header
+#endif
+#define IRG_JOIN_EXPANDED(major, isa, fma, checks, linkage) v##major##_##isa##_##fma##_##checks##_##linkage
+#define IRG_JOIN(major, isa, fma, checks, linkage) IRG_JOIN_EXPANDED(major, isa, fma, checks, linkage)
+#define IRG_ABI IRG_JOIN(IRG_VERSION_MAJOR, IRG_ISA, IRG_ISA_FMA, IRG_CHECKS, IRG_LINKAGE)
+#if defined(IRG_COMPILING) || !IRG_BODIES
+#define IRG_DOOR
+#define IRG_JOIN_DOORS_EXPANDED(major, minor, decisions) doors_v##major##_##minor##_##decisions
+#define IRG_JOIN_DOORS(major, minor, decisions) IRG_JOIN_DOORS_EXPANDED(major, minor, decisions)
+#ifdef IRG_ALLOW_FAST_MATH
+#define IRG_DOORS IRG_JOIN_DOORS(IRG_VERSION_MAJOR, IRG_VERSION_MINOR, fast)
+#else
+#define IRG_DOORS IRG_JOIN_DOORS(IRG_VERSION_MAJOR, IRG_VERSION_MINOR, exact)
+#endif
+#else
+#define IRG_DOOR constexpr
+#define IRG_DOORS IRG_ABI
+#endif
 
 // Where a program is built for one instruction set, IRG_INLINE_AS_USUAL leaves it to the compiler what it inlines: for
 // stepping through with a debugger and for builds with sanitizers, which it makes several times quicker. Without

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <irg/io/body_xml.hpp>
-#include <irg/io/detail/text_cursor.hpp>
+#include <irg/io/detail/text_place.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/mtl.hpp>
 #include <irg/io/obj.hpp>
@@ -18,6 +18,9 @@
 #include <irg/io/off.hpp>
 #include <irg/io/ply.hpp>
 #include <irg/io/stl.hpp>
+#if IRG_BODIES
+#include <irg/io/detail/text_cursor.hpp>
+#endif
 
 namespace irg {
 
@@ -27,13 +30,22 @@ enum class mesh_format { obj, stl, ply, off, body_xml };
 /// The endings of their names, for messages.
 inline constexpr const char* mesh_endings = ".obj, .stl, .ply, .off or .xml";
 
-inline namespace IRG_ABI {
+inline namespace IRG_DOORS {
 
 /// The format of a mesh file's bytes: XML by its first character, PLY and OFF by their first word, STL by the word
 /// solid or by the length that binary STL states in its bytes; everything else is OBJ, which has no mark of its own.
 /// gives   a format for all bytes: whether they are such a file, its reader says
 /// cost    constant, but for blanks and comments before the first word
-[[nodiscard]] constexpr mesh_format mesh_format_of(std::string_view bytes) noexcept {
+template <class Text = std::string_view>
+[[nodiscard]] IRG_DOOR mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept;
+
+}  // namespace IRG_DOORS
+
+#if IRG_BODIES
+inline namespace IRG_DOORS {
+
+template <class Text>
+[[nodiscard]] IRG_DOOR mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept {
   if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
   bytes = detail::without_byte_order_mark(bytes);
   if (detail::text_cursor(bytes, '\0').word() == "ply") return mesh_format::ply;
@@ -45,7 +57,8 @@ inline namespace IRG_ABI {
   return mesh_format::obj;
 }
 
-}  // namespace IRG_ABI
+}  // namespace IRG_DOORS
+#endif
 
 namespace detail::inline IRG_ABI {
 

@@ -8,9 +8,12 @@
 #include <vector>
 
 #include <irg/core/result.hpp>
+#include <irg/io/detail/checksum.hpp>
+#include <irg/io/picture_limits.hpp>
+#if IRG_BODIES
 #include <irg/io/detail/deflate.hpp>
 #include <irg/io/detail/png_filter.hpp>
-#include <irg/io/picture_limits.hpp>
+#endif
 
 namespace irg {
 
@@ -72,6 +75,65 @@ constexpr png_pixels<> read_pixels(const R& raster, int width, int height, png_o
   return p;
 }
 
+template <class Bytes>
+constexpr void append_big_endian(Bytes& file, std::size_t n) {
+  for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<std::uint8_t>(n >> shift));
+}
+
+/// Appends a chunk: length, name, data, checksum over name and data.
+/// needs   less than 2^31 bytes of data
+template <class Bytes>
+constexpr void append_chunk(Bytes& file, const char (&name)[5], std::span<const std::uint8_t> data) {
+  append_big_endian(file, data.size());
+  const std::size_t checked = file.size();
+  for (int i = 0; i < 4; ++i) file.push_back(static_cast<std::uint8_t>(name[i]));
+  file.insert(file.end(), data.begin(), data.end());
+  append_big_endian(file, crc32(std::span<const std::uint8_t>(file).subspan(checked)));
+}
+
+template <class Bytes>
+constexpr void append_header(Bytes& file, const png_pixels<Bytes>& p) {
+  Bytes header;
+  append_big_endian(header, p.width);
+  append_big_endian(header, p.height);
+  const int colour_type = (p.has_colour ? 2 : 0) + (p.has_opacity ? 4 : 0);
+  for (const int byte : {8, colour_type, 0, 0, 0}) header.push_back(static_cast<std::uint8_t>(byte));
+  append_chunk(file, "IHDR", header);
+}
+
+/// What every file begins with.
+template <class Bytes>
+constexpr Bytes begin_png(const png_pixels<Bytes>& p) {
+  Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  append_header(file, p);
+  const std::uint8_t perceptual[] = {0};
+  append_chunk(file, "sRGB", perceptual);
+  return file;
+}
+
+/// Calls append(part) for the parts of a stream, one for each chunk.
+template <class Bytes, class Append>
+constexpr void append_in_chunks(const Bytes& stream, const Append& append) {
+  constexpr std::size_t chunk_size = 1u << 20;  // far below the format's limit, and testable
+  for (std::size_t first = 0; first < stream.size(); first += chunk_size) {
+    const std::size_t rest = stream.size() - first;
+    append(std::span<const std::uint8_t>(stream).subspan(first, rest < chunk_size ? rest : chunk_size));
+  }
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_DOORS {
+
+/// The rows of a picture as its chunks hold them.
+template <class Bytes>
+IRG_DOOR Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort);
+
+}  // namespace irg::detail::inline IRG_DOORS
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
 /// Copies the needed channels of row y.
 template <class Bytes>
 constexpr void copy_row(const png_pixels<Bytes>& p, std::size_t y, std::uint8_t* out) noexcept {
@@ -102,32 +164,6 @@ constexpr Bytes filter_rows(const png_pixels<Bytes>& p, filtering mode) {
   return filtered;
 }
 
-template <class Bytes>
-constexpr void append_big_endian(Bytes& file, std::size_t n) {
-  for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<std::uint8_t>(n >> shift));
-}
-
-/// Appends a chunk: length, name, data, checksum over name and data.
-/// needs   less than 2^31 bytes of data
-template <class Bytes>
-constexpr void append_chunk(Bytes& file, const char (&name)[5], std::span<const std::uint8_t> data) {
-  append_big_endian(file, data.size());
-  const std::size_t checked = file.size();
-  for (int i = 0; i < 4; ++i) file.push_back(static_cast<std::uint8_t>(name[i]));
-  file.insert(file.end(), data.begin(), data.end());
-  append_big_endian(file, crc32(std::span<const std::uint8_t>(file).subspan(checked)));
-}
-
-template <class Bytes>
-constexpr void append_header(Bytes& file, const png_pixels<Bytes>& p) {
-  Bytes header;
-  append_big_endian(header, p.width);
-  append_big_endian(header, p.height);
-  const int colour_type = (p.has_colour ? 2 : 0) + (p.has_opacity ? 4 : 0);
-  for (const int byte : {8, colour_type, 0, 0, 0}) header.push_back(static_cast<std::uint8_t>(byte));
-  append_chunk(file, "IHDR", header);
-}
-
 constexpr deflate_effort effort_of(png_options::compression c) noexcept {
   switch (c) {
     case png_options::compression::stored: return {0, 0, 0};
@@ -137,35 +173,18 @@ constexpr deflate_effort effort_of(png_options::compression c) noexcept {
   return {64, 64, 258};
 }
 
-/// The rows of a picture as its chunks hold them. Bytes depends on the raster: what compresses is then instantiated by
-/// those who write a picture.
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_DOORS {
+
 template <class Bytes>
-constexpr Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort) {
+IRG_DOOR Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort) {
   const bool stored = effort == png_options::compression::stored;
   return zlib_compress(filter_rows(p, stored ? filtering::none : filtering::adaptive), effort_of(effort));
 }
 
-/// What every file begins with.
-template <class Bytes>
-constexpr Bytes begin_png(const png_pixels<Bytes>& p) {
-  Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  append_header(file, p);
-  const std::uint8_t perceptual[] = {0};
-  append_chunk(file, "sRGB", perceptual);
-  return file;
-}
-
-/// Calls append(part) for the parts of a stream, one for each chunk.
-template <class Bytes, class Append>
-constexpr void append_in_chunks(const Bytes& stream, const Append& append) {
-  constexpr std::size_t chunk_size = 1u << 20;  // far below the format's limit, and testable
-  for (std::size_t first = 0; first < stream.size(); first += chunk_size) {
-    const std::size_t rest = stream.size() - first;
-    append(std::span<const std::uint8_t>(stream).subspan(first, rest < chunk_size ? rest : chunk_size));
-  }
-}
-
-}  // namespace irg::detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_DOORS
+#endif
 
 namespace irg::inline IRG_ABI {
 
