@@ -7,16 +7,17 @@ namespace irg {
 
 using bytes = std::vector<std::uint8_t>;
 
-#define IRG_FOR_NUMBERS(T)                                                                                 \
-  template result<bytes, encode_error> encode_obj(const mesh<T>&);                                         \
-  template result<mesh<T>> read_stl(std::string_view, stl_options);                                        \
-  template result<bytes, encode_error> encode_stl(const mesh<T>&, mesh_encoding);                          \
-  template result<mesh<T>> read_ply(std::string_view);                                                     \
-  template result<bytes, encode_error> encode_ply(const mesh<T>&, mesh_encoding);                          \
-  template result<mesh<T>> read_off(std::string_view);                                                     \
-  template result<bytes, encode_error> encode_off(const mesh<T>&);                                         \
-  template result<std::vector<stored_body<T>>> read_body_xml(std::string_view);                            \
-  template result<bytes, encode_error> encode_body_xml(std::span<const stored_body<T>>);                   \
+#define IRG_FOR_NUMBERS(T)                                                                      \
+  template result<bytes, encode_error> encode_obj(const mesh<T>&);                              \
+  template result<bytes, encode_error> encode_mesh(const mesh<T>&, mesh_format, mesh_encoding); \
+  template result<mesh<T>> read_stl(std::string_view, stl_options);                             \
+  template result<bytes, encode_error> encode_stl(const mesh<T>&, mesh_encoding);               \
+  template result<mesh<T>> read_ply(std::string_view);                                          \
+  template result<bytes, encode_error> encode_ply(const mesh<T>&, mesh_encoding);               \
+  template result<mesh<T>> read_off(std::string_view);                                          \
+  template result<bytes, encode_error> encode_off(const mesh<T>&);                              \
+  template result<std::vector<stored_body<T>>> read_body_xml(std::string_view);                 \
+  template result<bytes, encode_error> encode_body_xml(std::span<const stored_body<T>>);        \
   template result<std::vector<mtl_material<T>>> read_mtl(std::string_view);
 IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)
@@ -27,8 +28,9 @@ template mesh_format mesh_format_of(std::string_view) noexcept;
 
 namespace detail {
 
-#define IRG_FOR_NUMBERS(T)                                                            \
-  template result<mesh<T>> read_obj_in_one_go(std::string_view, obj_unused);          \
+#define IRG_FOR_NUMBERS(T)                                                   \
+  template result<mesh<T>> read_mesh_as(std::string_view, mesh_format);      \
+  template result<mesh<T>> read_obj_in_one_go(std::string_view, obj_unused); \
   template result<mesh<T>> read_obj_in_pieces(std::string_view, obj_unused, std::size_t, const executor_ref&);
 IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)

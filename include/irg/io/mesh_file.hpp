@@ -39,46 +39,20 @@ inline namespace IRG_DOORS {
 template <class Text = std::string_view>
 [[nodiscard]] IRG_DOOR mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept;
 
-}  // namespace IRG_DOORS
-
-#if IRG_BODIES
-inline namespace IRG_DOORS {
-
-template <class Text>
-[[nodiscard]] IRG_DOOR mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept {
-  if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
-  bytes = detail::without_byte_order_mark(bytes);
-  if (detail::text_cursor(bytes, '\0').word() == "ply") return mesh_format::ply;
-  detail::text_cursor text(bytes, '#');
-  if (text.skip_space() && *text.at == '<') return mesh_format::body_xml;
-  const detail::off_header off = detail::off_header_of(bytes.substr(static_cast<std::size_t>(text.at - bytes.data())));
-  if (off.length != 0) return mesh_format::off;
-  if (detail::is_word(text.word(), "solid")) return mesh_format::stl;
-  return mesh_format::obj;
-}
+/// The bytes of a file that describes the mesh in the given format.
+/// gives   the error of the format's writer, and one for an encoding that it does not have: OBJ, OFF and XML are text
+template <Floating T>
+[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_mesh(
+    const mesh<T>& m, mesh_format format, mesh_encoding encoding = mesh_encoding::text);
 
 }  // namespace IRG_DOORS
-#endif
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_DOORS {
 
 template <Floating T>
-constexpr result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format) {
-  switch (format) {
-    case mesh_format::stl: return read_stl<T>(bytes);
-    case mesh_format::ply: return read_ply<T>(bytes);
-    case mesh_format::off: return read_off<T>(bytes);
-    case mesh_format::body_xml: {
-      const auto bodies = read_body_xml<T>(bytes);
-      if (!bodies) return bodies.error();
-      return to_mesh(*bodies);
-    }
-    case mesh_format::obj: break;
-  }
-  return read_obj<T>(bytes);
-}
+IRG_DOOR result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format);
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace detail::inline IRG_DOORS
 
 inline namespace IRG_ABI {
 
@@ -139,20 +113,6 @@ result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
                            [&](std::string_view name) { return load_file(folder + std::string(name)); });
 }
 
-/// The bytes of a file that describes the mesh in the given format.
-/// gives   the error of the format's writer, and one for an encoding that it does not have: OBJ, OFF and XML are text
-template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_mesh(
-    const mesh<T>& m, mesh_format format, mesh_encoding encoding = mesh_encoding::text) {
-  if (format == mesh_format::stl) return encode_stl(m, encoding);
-  if (format == mesh_format::ply) return encode_ply(m, encoding);
-  if (encoding != mesh_encoding::text) return encode_error{"format has no binary form that is written"};
-  if (format == mesh_format::off) return encode_off(m);
-  if (format == mesh_format::obj) return encode_obj(m);
-  if (const auto refused = detail::refuse_mesh(m)) return *refused;
-  return encode_body_xml(std::vector{store_body<T>("body", m)});
-}
-
 /// Writes a mesh file in the format that its name's ending asks for: true when that succeeded, else the reason, and
 /// then the path is as it was before.
 template <Floating T>
@@ -174,4 +134,55 @@ write_mesh(const std::string& path, const mesh<T>& m, mesh_encoding encoding = m
 }
 
 }  // namespace IRG_ABI
+
+#if IRG_BODIES
+namespace detail::inline IRG_DOORS {
+
+template <Floating T>
+IRG_DOOR result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format) {
+  switch (format) {
+    case mesh_format::stl: return read_stl<T>(bytes);
+    case mesh_format::ply: return read_ply<T>(bytes);
+    case mesh_format::off: return read_off<T>(bytes);
+    case mesh_format::body_xml: {
+      const auto bodies = read_body_xml<T>(bytes);
+      if (!bodies) return bodies.error();
+      return to_mesh(*bodies);
+    }
+    case mesh_format::obj: break;
+  }
+  return read_obj<T>(bytes);
+}
+
+}  // namespace detail::inline IRG_DOORS
+
+inline namespace IRG_DOORS {
+
+template <class Text>
+[[nodiscard]] IRG_DOOR mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept {
+  if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
+  bytes = detail::without_byte_order_mark(bytes);
+  if (detail::text_cursor(bytes, '\0').word() == "ply") return mesh_format::ply;
+  detail::text_cursor text(bytes, '#');
+  if (text.skip_space() && *text.at == '<') return mesh_format::body_xml;
+  const detail::off_header off = detail::off_header_of(bytes.substr(static_cast<std::size_t>(text.at - bytes.data())));
+  if (off.length != 0) return mesh_format::off;
+  if (detail::is_word(text.word(), "solid")) return mesh_format::stl;
+  return mesh_format::obj;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_mesh(const mesh<T>& m, mesh_format format,
+                                                                                   mesh_encoding encoding) {
+  if (format == mesh_format::stl) return encode_stl(m, encoding);
+  if (format == mesh_format::ply) return encode_ply(m, encoding);
+  if (encoding != mesh_encoding::text) return encode_error{"format has no binary form that is written"};
+  if (format == mesh_format::off) return encode_off(m);
+  if (format == mesh_format::obj) return encode_obj(m);
+  if (const auto refused = detail::refuse_mesh(m)) return *refused;
+  return encode_body_xml(std::vector{store_body<T>("body", m)});
+}
+
+}  // namespace IRG_DOORS
+#endif
 }  // namespace irg

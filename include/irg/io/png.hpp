@@ -39,7 +39,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_ABI {
+namespace irg::detail {
 
 /// The pixels of a raster, each read once, and which channels they need.
 template <class Bytes = std::vector<std::uint8_t>>
@@ -48,8 +48,12 @@ struct png_pixels {
   std::size_t width = 0, height = 0;
   bool has_colour = true, has_opacity = true;
 
-  constexpr std::size_t channels() const noexcept { return (has_colour ? 3u : 1u) + (has_opacity ? 1u : 0u); }
+  IRG_INLINE constexpr std::size_t channels() const noexcept { return (has_colour ? 3u : 1u) + (has_opacity ? 1u : 0u); }
 };
+
+}  // namespace irg::detail
+
+namespace irg::detail::inline IRG_ABI {
 
 template <EncodableRaster R>
 constexpr png_pixels<> read_pixels(const R& raster, int width, int height, png_options::channels kept) {
