@@ -78,7 +78,7 @@ inline picture parts() {
     const double left = side * 315.0;
     for (const corners& t : slats)
       area(p, {{t[0].x + left, t[0].y}, {t[1].x + left, t[1].y}, {t[2].x + left, t[2].y}}, blue);
-    irg::bvh_config config{side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::spatial_splits};
+    irg::bvh_options config{side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::spatial_splits};
     config.spare = 4;
     const irg::triangle_bvh<double> tree(std::span<const corners>{slats}, config);
     for (const irg::bvh_node& n : tree.tree().nodes)

@@ -46,7 +46,7 @@ constexpr irg::picture_style styles[] = {irg::picture_style::wire, irg::picture_
 struct small_picture {
   irg::rgba8 colour[32][32];
   std::uint32_t depth[32][32]{};
-  irg::render_stats stats;
+  irg::render_counts stats;
 };
 
 constexpr irg::scene<double> crossing_triangles() {
@@ -112,8 +112,8 @@ TEST_CASE("render: 1 x 1, 65535 x 1, 1 x 65535 and pictures without pixels") {
     CHECK(test::render(s, 1, 1, {style}).stats.drawn == (style == irg::picture_style::wire ? 1 : 1));
     CHECK(test::render(s, 1, 65535, {style}).stats.drawn > 0);
     CHECK(test::render(s, 65535, 1, {style}).stats.triangles == 1);
-    CHECK(test::render(s, 0, 7, {style}).stats == irg::render_stats{});
-    CHECK(test::render(s, 7, 0, {style}).stats == irg::render_stats{});
+    CHECK(test::render(s, 0, 7, {style}).stats == irg::render_counts{});
+    CHECK(test::render(s, 7, 0, {style}).stats == irg::render_counts{});
   }
   CHECK(test::render(s, 65535, 1).stats.drawn > 0);
 }

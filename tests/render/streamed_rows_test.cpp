@@ -89,7 +89,7 @@ TEST_CASE("streamed_rows: a picture that is streamed has the pixels of one that 
   projected_vertices<float> vertices;
   project_vertices<float>(vertices, positions, identity<float, 4>(), mapping);
   const batch all[1] = {{&vertices, indices, 0, 0}};
-  draw_settings<rgba8> settings;
+  draw_options<rgba8> settings;
   settings.culling = face_culling::none;
   settings.clear = clearing::before_drawing;
   image<rgba8> picture(width, height), expected(width, height);

@@ -31,7 +31,7 @@ struct curve_meeting {
 /// How far to go: pieces of curves are narrow enough when their boxes are no wider than the tolerance; and how many
 /// pairs of pieces to look at before the rest is handed over as it is.
 template <Floating T>
-struct meeting_search {
+struct bezier_intersection_options {
   T tolerance = 0;
   std::size_t most_steps = 65536;
 };
@@ -182,7 +182,7 @@ inline namespace IRG_ABI {
 template <ControlPoints R, ControlPoints S>
   requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
 constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
-    const R& first, const S& second, const std::type_identity_t<meeting_search<scalar_of<control_point<R>>>>& search,
+    const R& first, const S& second, const std::type_identity_t<bezier_intersection_options<scalar_of<control_point<R>>>>& search,
     std::span<curve_meeting<scalar_of<control_point<R>>>> room, std::span<control_point<R>> scratch) noexcept {
   using T = scalar_of<control_point<R>>;
   constexpr int depth = lesser(std::numeric_limits<T>::digits, 30);

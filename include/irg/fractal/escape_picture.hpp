@@ -25,28 +25,28 @@ namespace irg {
 // What a picture of escape counts is made of, what may be skipped, and what was.
 
 /// What may be left out because its count is known. Counts do not change.
-struct escape_skips {
+struct escape_options {
   skipping interior = skipping::on;  // points of the cardioid and the disc of period 2
   skipping cycles = skipping::on;    // orbits that come back to a point where they were before
   skipping squares = skipping::on;   // squares of pixels that one orbit of discs shows to have one count
-  constexpr bool operator==(const escape_skips&) const = default;
+  constexpr bool operator==(const escape_options&) const = default;
 };
 
 /// What was left out. Independent of the executor; cycles depend on the lanes that compute side by side.
-struct escape_stats {
+struct escape_counts {
   std::int64_t pixels = 0;    // all
   std::int64_t interior = 0;  // without an orbit
   std::int64_t cycles = 0;    // whose orbit was cut short
   std::int64_t squares = 0;   // in squares of one count, without orbits of their own
 
-  IRG_INLINE constexpr escape_stats& operator+=(const escape_stats& o) noexcept {
+  IRG_INLINE constexpr escape_counts& operator+=(const escape_counts& o) noexcept {
     pixels += o.pixels;
     interior += o.interior;
     cycles += o.cycles;
     squares += o.squares;
     return *this;
   }
-  constexpr bool operator==(const escape_stats&) const = default;
+  constexpr bool operator==(const escape_counts&) const = default;
 };
 
 /// The counts of a picture: how its orbits begin and end.
@@ -54,7 +54,7 @@ template <Floating T>
 struct escape_job {
   complex_plane<T> plane{};
   escape_limit<T> limit{};
-  escape_skips skip{};
+  escape_options skip{};
 };
 
 }  // namespace irg
@@ -73,13 +73,13 @@ inline namespace IRG_ABI {
 /// cost    the orbits; allocates a few numbers per row
 /// source  Mandelbrot 1980; Brent 1980 for cycles
 template <CountRaster R, Floating T, Executor E = sequential>
-constexpr escape_stats draw_mandelbrot(R& counts, const escape_job<T>& job, const E& executor = {});
+constexpr escape_counts draw_mandelbrot(R& counts, const escape_job<T>& job, const E& executor = {});
 
 /// The counts of the Julia set of z^2 + c in every pixel, and what was skipped.
 /// shape   as draw_mandelbrot
 /// exact   those of julia_count of the pixel's number, with skips on and off, in lanes and one by one
 template <CountRaster R, Floating T, Executor E = sequential>
-constexpr escape_stats draw_julia(R& counts, const escape_job<T>& job, const point<T, 2>& c, const E& executor = {});
+constexpr escape_counts draw_julia(R& counts, const escape_job<T>& job, const point<T, 2>& c, const E& executor = {});
 
 }  // namespace IRG_ABI
 
@@ -323,8 +323,8 @@ constexpr bool skips_interior(const escape_job<T>& job) noexcept {
 
 // One row, pixel by pixel, for constant evaluation.
 template <class T, class Orbits, class P>
-constexpr escape_stats escape_row_plainly(P* row, int y, const escape_job<T>& job, const Orbits& orbits) {
-  escape_stats stats{job.plane.width, 0, 0};
+constexpr escape_counts escape_row_plainly(P* row, int y, const escape_job<T>& job, const Orbits& orbits) {
+  escape_counts stats{job.plane.width, 0, 0};
   const bool skips = skips_interior<Orbits>(job);
   for (int x = 0; x < job.plane.width; ++x) {
     const point<T, 2> at = job.plane.at(x, y);
@@ -417,7 +417,7 @@ public:
     }
   }
 
-  IRG_NOINLINE escape_stats finish() noexcept {
+  IRG_NOINLINE escape_counts finish() noexcept {
     if (queue_.count > 0) run_queue();
     return stats_;
   }
@@ -511,12 +511,12 @@ private:
   const escape_job<T>& job_;
   const Orbits& orbits_;
   bool skips_, stays_out_;
-  escape_stats stats_{};
+  escape_counts stats_{};
   escape_queue<T, P, 2 * static_cast<unsigned>(kernel::count)> queue_{};
 };
 
 template <class P, class RowAt, class T, class Orbits>
-escape_stats escape_band_in_lanes(const RowAt& row_at, int first, int last, const escape_job<T>& job,
+escape_counts escape_band_in_lanes(const RowAt& row_at, int first, int last, const escape_job<T>& job,
                                   const Orbits& orbits) {
   escape_rows<T, Orbits, P> rows(job, orbits);
   rows.band(row_at, first, last);
@@ -525,27 +525,27 @@ escape_stats escape_band_in_lanes(const RowAt& row_at, int first, int last, cons
 
 // The rows from `first` to before `last` of a picture of pixels P.
 template <class P, class RowAt, class T, class Orbits>
-constexpr escape_stats escape_band(const RowAt& row_at, int first, int last, const escape_job<T>& job,
+constexpr escape_counts escape_band(const RowAt& row_at, int first, int last, const escape_job<T>& job,
                                    const Orbits& orbits) {
   if (!std::is_constant_evaluated()) return escape_band_in_lanes<P>(row_at, first, last, job, orbits);
-  escape_stats stats;
+  escape_counts stats;
   for (int y = first; y < last; ++y) stats += escape_row_plainly(row_at(y), y, job, orbits);
   return stats;
 }
 
 template <class R, class T, class Orbits, class E>
-constexpr escape_stats draw_counts_of(R& counts, const escape_job<T>& job, const Orbits& orbits, const E& executor) {
+constexpr escape_counts draw_counts_of(R& counts, const escape_job<T>& job, const Orbits& orbits, const E& executor) {
   IRG_EXPECTS(width_of(counts) == job.plane.width && height_of(counts) == job.plane.height);
   constexpr int band = 16;  // rows of a task
   const int height = height_of(counts);
-  std::vector<escape_stats> of_band(static_cast<std::size_t>((height + band - 1) / band), escape_stats{});
+  std::vector<escape_counts> of_band(static_cast<std::size_t>((height + band - 1) / band), escape_counts{});
   executor(of_band.size(), [&](std::size_t i) {
     const int first = static_cast<int>(i) * band, last = lesser(first + band, height);
     const auto row_at = [&](int y) { return raster_traits<R>::row(counts, y); };
     of_band[i] = escape_band<pixel_of<R>>(row_at, first, last, job, orbits);
   });
-  escape_stats stats;
-  for (const escape_stats& s : of_band) stats += s;
+  escape_counts stats;
+  for (const escape_counts& s : of_band) stats += s;
   return stats;
 }
 
@@ -554,12 +554,12 @@ constexpr escape_stats draw_counts_of(R& counts, const escape_job<T>& job, const
 inline namespace IRG_ABI {
 
 template <CountRaster R, Floating T, Executor E>
-constexpr escape_stats draw_mandelbrot(R& counts, const escape_job<T>& job, const E& executor) {
+constexpr escape_counts draw_mandelbrot(R& counts, const escape_job<T>& job, const E& executor) {
   return detail::draw_counts_of(counts, job, detail::mandelbrot_orbits<T>{}, executor);
 }
 
 template <CountRaster R, Floating T, Executor E>
-constexpr escape_stats draw_julia(R& counts, const escape_job<T>& job, const point<T, 2>& c, const E& executor) {
+constexpr escape_counts draw_julia(R& counts, const escape_job<T>& job, const point<T, 2>& c, const E& executor) {
   return detail::draw_counts_of(counts, job, detail::julia_orbits<T>{c}, executor);
 }
 

@@ -22,7 +22,7 @@ namespace irg {
 
 /// How transparent faces are drawn. Both sides of glass are seen, so backs are drawn too unless told otherwise.
 template <class Blend = over_in_light>
-struct transparent_settings {
+struct transparent_options {
   face_culling culling = face_culling::none;
   skip_options skip{};
   Blend blend{};  // blend(pixel below, what a pixel shader gives) -> pixel
@@ -49,8 +49,8 @@ template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::ne
           RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, class MakeShader,
           class Blend = over_in_light, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
-constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                        const MakeShader& make_shader, const transparent_settings<Blend>& settings = {},
+constexpr render_counts draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                        const MakeShader& make_shader, const transparent_options<Blend>& settings = {},
                                         const E& executor = {});
 
 }  // namespace IRG_ABI
@@ -227,8 +227,8 @@ namespace irg::inline IRG_ABI {
 template <DepthOrder Order, depth_test Test, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
           class Blend, Executor E>
   requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
-constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                        const MakeShader& make_shader, const transparent_settings<Blend>& settings,
+constexpr render_counts draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                        const MakeShader& make_shader, const transparent_options<Blend>& settings,
                                         const E& executor) {
   const detail::picture_tiles grid(width_of(target.colour), height_of(target.colour));
   const std::span<const triangle_batch<T>> batches = triangles.batches();
@@ -247,7 +247,7 @@ constexpr render_stats draw_transparent(render_target<Colour, Depth> target, con
                                               bins.tile_first[i + 1] - bins.tile_first[i]);
     done[i] = detail::blend_tile<Test, Order>(tiles, list, grid.window(i));
   });
-  render_stats stats;
+  render_counts stats;
   for (const draw_counts& c : done) stats.pixels += c;
   detail::add_skips(stats, bins, seen, settings.skip);
   return stats;

@@ -56,7 +56,7 @@ template <Floating T>
 /// cost    as render(), for the rooms that are seen
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
+constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
                               const render_options& options = {}, const E& executor = {});
 
 }  // namespace IRG_ABI
@@ -171,7 +171,7 @@ template <Floating T>
 
 template <Floating T, RowRaster Colour, RowRaster Depth, Executor E>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
+constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
                               const render_options& options, const E& executor) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
@@ -189,7 +189,7 @@ constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour,
   const no_observer observer;
   auto&& colour = detail::rows_of(target.colour);
   auto&& depth = detail::rows_of(target.depth);
-  render_stats stats = detail::draw_picture<T>(
+  render_counts stats = detail::draw_picture<T>(
       {building.world, width, height, options}, {building.world.objects}, candidates,
       detail::lists_of(building.world.workspace),
       detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});

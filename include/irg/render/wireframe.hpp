@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 /// exact   the same pixels for every executor, and with drawn.frustum on and off; lines by line_bresenham from the
 ///         smaller vertex index to the larger
 template <Floating T = double, RowRaster Colour, Executor E = sequential>
-constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
+constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
                                       face_culling culling = face_culling::none, const E& executor = {});
 
 }  // namespace IRG_ABI
@@ -132,12 +132,12 @@ constexpr bool lies_beyond(const Drawn& drawn, std::size_t f, const cell_window&
 namespace irg::inline IRG_ABI {
 
 template <Floating T, RowRaster Colour, Executor E>
-constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
+constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
                                       face_culling culling, const E& executor) {
   const auto& [vertices, m, mapping, frustum] = drawn;
   const cell_window picture{0, 0, width_of(colour), height_of(colour)};
   const bool may_skip = frustum == skipping::on && vertices.any.outside != 0;
-  render_stats stats;
+  render_counts stats;
   std::vector<std::uint64_t> edges;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const std::size_t corners = m.face_size(f);

@@ -31,7 +31,7 @@ enum class bsp_order { back_to_front, front_to_back };
 /// How the line or plane is chosen that divides a cell: of some candidates, spread over what is left, the one that cuts
 /// the fewest and leaves the sides most alike, judged by some of them.
 /// shape   one candidate is the first one left, as in the textbook
-struct bsp_choice {
+struct bsp_options {
   std::size_t candidates = 8, judges = 32;
   std::size_t cut_costs = 4;  // as much as so many more on one side than on the other
 };

@@ -45,7 +45,7 @@ public:
   ///         sides are alike, and for walls around a convex room, each of which leaves all others on one side; segments
   ///         that cross each other make n^2 pieces at worst
   /// source  Fuchs, Kedem and Naylor 1980
-  IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
+  IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_options& choice = {})
       : segments_(segments.begin(), segments.end()) {
     IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
     bsp_open_cells<bsp_piece_2d, 2> cells;
@@ -174,7 +174,7 @@ private:
   }
   template <class Cells>
   [[nodiscard]] IRG_APART constexpr std::uint32_t dividing_line(const Cells& cells, std::uint32_t pieces,
-                                                                const bsp_choice& choice) const {
+                                                                const bsp_options& choice) const {
     const std::size_t n = cells.size(pieces), candidates = lesser(choice.candidates, n),
                       judges = lesser(choice.judges, n);
     std::uint32_t best = cells.first(pieces).segment;
@@ -201,7 +201,7 @@ private:
     return best;
   }
   template <class Cells>
-  IRG_APART constexpr void divide(Cells& cells, const cell& c, std::vector<cell>& open, const bsp_choice& choice) {
+  IRG_APART constexpr void divide(Cells& cells, const cell& c, std::vector<cell>& open, const bsp_options& choice) {
     const auto here = static_cast<std::uint32_t>(nodes_.size());
     if (c.parent != bsp_none) (c.side > 0 ? nodes_[c.parent].left : nodes_[c.parent].right) = here;
     const std::uint32_t line = dividing_line(cells, c.pieces, choice);

@@ -22,7 +22,7 @@ namespace irg {
 /// cut where their boxes overlap (spatial splits): in some twelve times the time, for long and slanting primitives.
 enum class bvh_method { surface_area, morton, spatial_splits };
 
-struct bvh_config {
+struct bvh_options {
   bvh_method method = bvh_method::surface_area;
   int bins = 16;  // 2 to 32: places along each axis at which a split is tried, in ranges of many primitives
   float spare = 1;  // spatial splits, 0 to 4: at most so many more references than primitives, as a share of them
@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 /// source  Wald 2007 (bins); Wald, Benthin and Boulos 2008 (wide nodes); Lauterbach et al. 2009 (Morton order);
 ///         Stich, Friedrich and Dietrich 2009 (spatial splits)
 template <Floating T, Executor E = sequential>
-[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_config& config = {},
+[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_options& config = {},
                                       const E& executor = {});
 
 /// Fits the tree to boxes that have moved: what is in a node stays in it.
@@ -271,7 +271,7 @@ constexpr void list_references(bvh& tree, std::size_t primitives, std::size_t he
 struct cut_limits {
   std::size_t primitives;
   int bins;
-  float spare, overlap;  // as in bvh_config
+  float spare, overlap;  // as in bvh_options
 };
 
 template <class Cut, class E>
@@ -290,7 +290,7 @@ constexpr void build_by_cuts(bvh& tree, std::vector<bvh_item>&& items, const cut
 
 // make_cut(scale) gives what cuts primitives.
 template <Floating T, class E, class MakeCut>
-constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_config& config, const E& executor,
+constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_options& config, const E& executor,
                          const MakeCut& make_cut) {
   bvh tree;
   std::vector<bvh_item> items = make_items(boxes, tree, executor);
@@ -311,7 +311,7 @@ constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_config& con
 namespace irg::inline IRG_ABI {
 
 template <Floating T, Executor E>
-[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_config& config, const E& executor) {
+[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_options& config, const E& executor) {
   return detail::build_tree(boxes, config, executor, [](double) { return detail::box_cut{}; });
 }
 

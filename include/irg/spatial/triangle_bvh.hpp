@@ -49,7 +49,7 @@ public:
   /// cost    as build_bvh; 160 bytes a triangle of floats, 270 of doubles. Spatial splits cut the triangles
   ///         themselves, not their boxes
   template <Executor E = sequential>
-  IRG_APART constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_config& config = {},
+  IRG_APART constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_options& config = {},
                                             const E& executor = {})
       : triangle_bvh(
             triangles.size(), [triangles](std::size_t i) -> const triangle& { return triangles[i]; }, config,
@@ -57,7 +57,7 @@ public:
 
   /// The same of count triangles that at(i) gives.
   template <class At, Executor E = sequential>
-  IRG_APART constexpr triangle_bvh(std::size_t count, const At& at, const bvh_config& config = {},
+  IRG_APART constexpr triangle_bvh(std::size_t count, const At& at, const bvh_options& config = {},
                                    const E& executor = {}) {
     const std::vector<box<T, 3>> boxes = boxes_of(count, at, executor);
     tree_ = detail::build_tree(std::span<const box<T, 3>>(boxes), config, executor,

@@ -90,7 +90,7 @@ public:
       transparent_ = transparent_ || T(0) < c.r || T(0) < c.g || T(0) < c.b;
     }
     tree_ = triangle_bvh<T>(
-        count, [this](std::size_t i) { return corners(static_cast<std::uint32_t>(i)); }, bvh_config{}, executor);
+        count, [this](std::size_t i) { return corners(static_cast<std::uint32_t>(i)); }, bvh_options{}, executor);
   }
 
   [[nodiscard]] IRG_INLINE constexpr const lighting<T>& light() const noexcept { return light_; }

@@ -46,7 +46,7 @@ struct polar_turn {
 /// How far a camera may be lifted or lowered in an orbit. At the default limits, the poles, it looks straight down or
 /// up and its axes are as defined as anywhere.
 template <Floating T>
-struct orbit_limits {
+struct orbit_options {
   T lowest = -pi<T> / T(2), highest = pi<T> / T(2);
 };
 
@@ -179,7 +179,7 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr polar_camera<T> orbited(polar_camera<T> c, std::type_identity_t<T> by_azimuth,
                                                 std::type_identity_t<T> by_elevation,
-                                                const orbit_limits<T>& limits = {}) noexcept {
+                                                const orbit_options<T>& limits = {}) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)() / 4;
   if (magnitude(by_azimuth) <= most) c.azimuth = c.azimuth + by_azimuth;
   if (pi<T> < magnitude(c.azimuth)) {

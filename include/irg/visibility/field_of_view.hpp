@@ -27,7 +27,7 @@ struct sight_cone {
 
 /// What is looked for.
 struct view_options {
-  sight_rules rules;
+  line_of_sight_options rules;
   /// Only cells whose centres are so near. Negative: none.
   int radius = (std::numeric_limits<int>::max)();
   /// Only cells in these directions, seen along z.
@@ -313,7 +313,7 @@ private:
 
   const walled_grid& map_;
   cell3 viewer_;
-  sight_rules rules_;
+  line_of_sight_options rules_;
   std::int64_t radius_;
   cell_grid& seen_;
   [[no_unique_address]] Looks looks_;

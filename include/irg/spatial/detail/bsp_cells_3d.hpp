@@ -397,7 +397,7 @@ constexpr std::uint32_t median_vertex(const bsp_cells_3d<T>& cells, const std::v
 // The plane by which a cell is divided: of some that are tried the one of the least cost.
 template <Floating T>
 constexpr bsp_plane_3d dividing_plane(const bsp_cells_3d<T>& cells, const std::vector<open_piece>& pieces,
-                                      const bsp_choice& choice) {
+                                      const bsp_options& choice) {
   const std::size_t n = pieces.size(), tried = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
   best_plane best_one{{pieces.front().triangle, bsp_plane_3d::of_triangle}, ~std::size_t{0}};
   if (tried > 1 && judge_across(cells, pieces, tried, {judges, choice.cut_costs}, best_one)) return best_one.plane;
@@ -563,7 +563,7 @@ constexpr auto take_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 
 
 template <Floating T>
 constexpr void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
-                             std::span<const triangle_indices> triangles, const bsp_choice& choice) {
+                             std::span<const triangle_indices> triangles, const bsp_options& choice) {
   using open_cell = typename growing_bsp_3d<T>::open_cell;
   IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
   const std::size_t links_before = tree.links.size();

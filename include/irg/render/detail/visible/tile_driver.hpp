@@ -188,7 +188,7 @@ IRG_INLINE constexpr void clear_window(R& raster, const cell_window& w, const pi
 }
 
 // How many triangles there were, and why some were not drawn.
-constexpr void add_skips(render_stats& stats, const triangle_bins& bins, std::span<const std::uint8_t> seen,
+constexpr void add_skips(render_counts& stats, const triangle_bins& bins, std::span<const std::uint8_t> seen,
                          const skip_options& skip) noexcept {
   stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
   stats.skipped = bins.skipped;
@@ -318,7 +318,7 @@ using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ?
 
 // All tiles. What is seen is the method's affair, what becomes of it finish's.
 template <class T, class Method, class Depth>
-constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job,
+constexpr render_counts draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job,
                                   const tile_finish<T>& finish, const executor_ref& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
   triangle_bins& bins = job.lists.bins;
@@ -334,7 +334,7 @@ constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile
       if (job.depth == depth_result::kept) clear_window(depth, w, method.farthest());
     }
   });
-  render_stats stats;
+  render_counts stats;
   for (const draw_counts& c : done) stats.pixels += c;
   stats.drawn = stats.pixels.shaded;
   add_skips(stats, bins, job.lists.seen, job.skip);
