@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 #include "geometry/mixed_cases.hpp"
@@ -55,6 +56,12 @@ TEST_CASE("box: extents, centre and size, golden") {
   CHECK_BOTH(corner(b, 0) == b.low);
   CHECK_BOTH(corner(b, 7) == b.high);
   CHECK_BOTH(corner(b, 5) == P3{6, 0, 3});
+}
+
+TEST_CASE("box: written by its two corners") {
+  std::ostringstream out;
+  out << irg::box<int, 2>{{0, -1}, {2, 3}};
+  CHECK(out.str() == "((0, -1), (2, 3))");
 }
 
 TEST_CASE("box: minimax, golden") {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 #include "support/check_both.hpp"
@@ -87,6 +88,12 @@ TEST_CASE("mat: type facts") {
   static_assert(!multipliable<mat<double, 4, 4>, vec<float, 4>>);
   static_assert(std::same_as<decltype(mat4<float>{} * point<float, 3>{}), hpoint<float, 3>>);
   static_assert(std::same_as<decltype(mat3<float>{} * hpoint<float, 2>{}), hpoint<float, 2>>);
+}
+
+TEST_CASE("mat: written row by row") {
+  std::ostringstream out;
+  out << mat<int, 2, 3>{{1, 2, 3}, {4, 5, 6}};
+  CHECK(out.str() == "((1, 2, 3), (4, 5, 6))");
 }
 
 TEST_CASE("mat: by hand") {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <sstream>
 #include <type_traits>
 
 #include <irg/math/homogeneous.hpp>
@@ -152,6 +153,13 @@ TEST_CASE("vec: operators by hand") {
   CHECK_BOTH(a != b);
   CHECK_BOTH(irg::vec<int, 5>{{1, 2, 3, 4, 5}} + irg::vec<int, 5>{{5, 4, 3, 2, 1}} ==
              irg::vec<int, 5>{{6, 6, 6, 6, 6}});
+}
+
+TEST_CASE("vec: written as (1, 2, 3) into any stream of numbers and text") {
+  std::ostringstream out;
+  out << vec3{1, -2, 0.5} << irg::point<int, 2>{3, 4} << irg::hpoint<float, 3>{1, 2, 3, 1} << irg::vec<signed char, 1>{{65}};
+  CHECK(out.str() == "(1, -2, 0.5)(3, 4)(1, 2, 3, 1)(65)");
+  static_assert(!irg::TextStream<std::ostringstream, run_time_number> && !irg::TextStream<int>);
 }
 
 TEST_CASE("vec: points and vectors") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/scene/scene.hpp>
 
+#include <concepts>
 #include <type_traits>
 
 #include "support/check_both.hpp"
@@ -8,6 +9,7 @@
 namespace {
 
 TEST_CASE("scene: types") {
+  static_assert(std::equality_comparable<irg::scene<float>> && std::equality_comparable<irg::camera<double>>);
   static_assert(std::is_aggregate_v<irg::object<double>>);
   static_assert(std::is_aggregate_v<irg::scene<float>>);
   static_assert(std::is_same_v<decltype(irg::scene<double>::lights), std::vector<irg::light<double>>>);

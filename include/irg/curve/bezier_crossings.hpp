@@ -34,6 +34,7 @@ template <Floating T>
 struct bezier_intersection_options {
   T tolerance = 0;
   std::size_t most_steps = 65536;
+  bool operator==(const bezier_intersection_options&) const = default;
 };
 
 /// What came of a search: all meetings within the tolerance; some stretches wider, the steps having been used up or the

@@ -50,6 +50,7 @@ template <Floating T, int Degree>
 struct bspline_values {
   std::size_t first = 0;
   std::array<T, static_cast<std::size_t>(Degree) + 1> value{};
+  bool operator==(const bspline_values&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -45,6 +45,9 @@ struct surface_corner {
   std::size_t index = 0;
   curve_parameter<scalar_of<P>> u{}, v{};
   typename detail::surface_place<P>::type point{};
+  IRG_APART constexpr bool operator==(const surface_corner& o) const {
+    return index == o.index && u == o.u && v == o.v && same_place(point, o.point);
+  }
 };
 
 /// What became of a surface; whether each triangle is within the tolerance.

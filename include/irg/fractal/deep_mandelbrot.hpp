@@ -24,6 +24,7 @@ struct deep_escape_job {
   fixed_point<N> re{}, im{};  // the centre
   double pixel = 0;  // the side of a pixel in the plane
   escape_limit<double> limit{};
+  bool operator==(const deep_escape_job&) const = default;
 };
 
 /// What became of a deep picture's pixels.

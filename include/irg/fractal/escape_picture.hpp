@@ -55,6 +55,7 @@ struct escape_job {
   complex_plane<T> plane{};
   escape_limit<T> limit{};
   escape_options skip{};
+  bool operator==(const escape_job&) const = default;
 };
 
 }  // namespace irg

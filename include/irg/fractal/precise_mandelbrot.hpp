@@ -26,6 +26,7 @@ struct precise_escape_job {
   double_double re{}, im{};  // the centre
   double pixel = 0;  // the side of a pixel in the plane
   escape_limit<double> limit{};
+  constexpr bool operator==(const precise_escape_job&) const = default;
 };
 
 /// What became of a precise picture's pixels.

@@ -78,6 +78,13 @@ template <class T, int N>
   return false;
 }
 
+/// Writes the two corners, "((0, 0), (1, 1))".
+template <class S, class T, int N>
+  requires TextStream<S, T>
+constexpr S& operator<<(S& stream, const box<T, N>& b) {
+  return print_list(stream, 2, [&](int i) { return i == 0 ? b.low : b.high; });
+}
+
 /// The smallest box around b and p.
 /// gives   a coordinate of p that is NaN is passed over, the others count
 /// exact   no arithmetic

@@ -21,6 +21,7 @@ template <Point P>
 struct point_on_line {
   P at = zero_coordinates<P>();
   scalar_of<P> t{};
+  IRG_APART constexpr bool operator==(const point_on_line& o) const { return same_place(at, o.at) && t == o.t; }
 };
 
 /// The part of a triangle abc that a point is nearest to.
@@ -32,6 +33,9 @@ struct point_on_triangle {
   P at = zero_coordinates<P>();
   triangle_region region = triangle_region::face;
   std::array<scalar_of<P>, 3> weights{};
+  IRG_APART constexpr bool operator==(const point_on_triangle& o) const {
+    return same_place(at, o.at) && region == o.region && weights == o.weights;
+  }
 };
 
 /// Points on two lines or segments, and their parameters there.
@@ -39,6 +43,9 @@ template <Point P>
 struct point_pair {
   P first = zero_coordinates<P>(), second = zero_coordinates<P>();
   scalar_of<P> t{}, s{};
+  IRG_APART constexpr bool operator==(const point_pair& o) const {
+    return same_place(first, o.first) && same_place(second, o.second) && t == o.t && s == o.s;
+  }
 };
 
 namespace detail::inline IRG_ABI {

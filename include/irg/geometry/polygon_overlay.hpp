@@ -51,6 +51,7 @@ struct clipped_rings {
   polygon_clip_status status = polygon_clip_status::ok;
   std::vector<std::vector<point<T, 2>>> rings{};
   polygon_overlay_counts counts{};
+  bool operator==(const clipped_rings&) const = default;
 };
 
 namespace detail {

@@ -28,13 +28,13 @@ enum class [[nodiscard]] triangulation_status {
 };
 
 /// The old name of triangulation_status.
-using triangulation_state [[deprecated("irg: triangulation_status is now triangulation_status")]] =
-    triangulation_status;
+using triangulation_state [[deprecated("irg: now triangulation_status")]] = triangulation_status;
 
 /// Triangles as indices of vertices; no triangle unless the status is `ok`.
 struct triangulation {
   triangulation_status status = triangulation_status::ok;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  constexpr bool operator==(const triangulation&) const = default;
 };
 
 inline namespace IRG_ABI {

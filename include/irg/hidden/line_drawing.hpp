@@ -42,6 +42,7 @@ struct line_drawing_options {
   T crease = T(0.5235987755982988);  // 30 degrees
   face_culling culling = face_culling::none;
   skipping frustum = skipping::off;  // on: edges beyond a border of the picture are left out, triangles are counted
+  bool operator==(const line_drawing_options&) const = default;
 };
 
 /// Faces and edges on the screen, ready for hidden_lines; roles[i] is that of edges[i].
@@ -52,6 +53,7 @@ struct line_drawing {
   std::int64_t triangles = 0;  // all of the meshes
   std::int64_t beyond = 0;  // of these wholly beyond a border of the picture or of the depth range, with frustum on
   std::int64_t culled = 0;  // of the others those that culling left out
+  constexpr bool operator==(const line_drawing&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

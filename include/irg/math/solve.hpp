@@ -27,6 +27,7 @@ struct system_solution {
 
   /// Whether there is one solution.
   IRG_INLINE constexpr explicit operator bool() const noexcept { return kind == solvability::unique; }
+  bool operator==(const system_solution&) const = default;
 };
 
 namespace detail {

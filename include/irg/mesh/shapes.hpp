@@ -23,12 +23,14 @@ namespace irg {
 /// How finely a plane grid is cut.
 struct grid_options {
   int columns = 10, rows = 10;  // cells along x and z; taken as 1 if less, as 4096 if more
+  constexpr bool operator==(const grid_options&) const = default;
 };
 
 /// How finely a sphere is cut: columns around the axis and layers from pole to pole.
 struct sphere_options {
   int slices = 32;  // taken as 3 if less, as 4096 if more
   int stacks = 16;  // taken as 2 if less, as 4096 if more
+  constexpr bool operator==(const sphere_options&) const = default;
 };
 
 /// The size of a torus and how finely it is cut: around the axis (major) and around the tube (minor).
@@ -36,6 +38,7 @@ template <Floating T>
 struct torus_options {
   T major_radius = 1, minor_radius = T(0.4);
   int major_segments = 48, minor_segments = 24;  // taken as 3 if less, as 4096 if more
+  bool operator==(const torus_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -24,6 +24,7 @@ struct dash_runs {
 struct dash_mask {
   std::uint16_t mask = 0xffff;
   std::uint32_t repeat = 1;
+  constexpr bool operator==(const dash_mask&) const = default;
 };
 
 /// How a line is dashed: by dash_runs or a dash_mask, from which position of it on, and with which ends and ties.
@@ -33,6 +34,7 @@ struct line_dashes {
   Pattern pattern{};
   std::uint64_t phase = 0;
   line_options options{};
+  bool operator==(const line_dashes&) const = default;
 };
 template <class Pattern, class... More>
 line_dashes(Pattern, More...) -> line_dashes<Pattern>;

@@ -18,6 +18,7 @@ template <Floating T>
 struct screen_mapping {
   T half_width, half_height, centre_x, centre_y;
   clip_volume<T> picture, guard;
+  bool operator==(const screen_mapping&) const = default;
 };
 
 /// The planes that a vertex is beyond: the picture's borders with the depth planes, and the same with the sides widened

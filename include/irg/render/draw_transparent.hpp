@@ -26,6 +26,9 @@ struct transparent_options {
   face_culling culling = face_culling::none;
   skip_options skip{};
   Blend blend{};  // blend(pixel below, what a pixel shader gives) -> pixel
+  bool operator==(const transparent_options&) const
+    requires std::equality_comparable<Blend>
+  = default;
 };
 
 inline namespace IRG_ABI {

@@ -21,6 +21,7 @@ struct draw_options {
   P background{};
   depth_result depth = depth_result::kept;
   draw_workspace* workspace = nullptr;  // the caller's lists, kept from picture to picture; null: lists for this one
+  bool operator==(const draw_options&) const = default;
 };
 
 inline namespace IRG_ABI {

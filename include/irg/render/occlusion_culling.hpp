@@ -28,6 +28,7 @@ template <Floating T>
 struct object_extent {
   box<T, 3> bounds;
   std::size_t triangles = 0;
+  bool operator==(const object_extent&) const = default;
 };
 
 /// An object that may be left out.

@@ -24,6 +24,7 @@ struct traced_options {
   int samples = 1;
   face_culling culling = face_culling::back;
   picture_colours colours{};  // of which the background is seen
+  bool operator==(const traced_options&) const = default;
 };
 
 /// An executor that tells, after each task, that it is done: for a bar that shows how far long work has come. It calls

@@ -31,6 +31,7 @@ struct camera {
   T near_distance = T(0.001);
   T far_distance = std::numeric_limits<T>::infinity();
   oblique_depth<T> receding{};  // in oblique projection: what is at the target's depth stays where it is
+  bool operator==(const camera&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

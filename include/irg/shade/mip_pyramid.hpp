@@ -18,12 +18,16 @@ namespace irg {
 template <class Value>
 struct mip_pyramid {
   std::vector<image<Value>> levels;
+  bool operator==(const mip_pyramid&) const = default;
 };
 
 /// How texture coordinates change from a pixel to its right and to its lower neighbour; F is a float or a pack of them.
 template <class F>
 struct texture_derivatives_of {
   F u_right{}, v_right{}, u_down{}, v_down{};
+  bool operator==(const texture_derivatives_of&) const
+    requires std::equality_comparable<F>
+  = default;
 };
 using texture_derivatives = texture_derivatives_of<float>;
 
@@ -31,6 +35,9 @@ using texture_derivatives = texture_derivatives_of<float>;
 template <class F>
 struct mip_place_of {
   F u{}, v{}, level{};
+  bool operator==(const mip_place_of&) const
+    requires std::equality_comparable<F>
+  = default;
 };
 using mip_place = mip_place_of<float>;
 

@@ -137,6 +137,7 @@ template <Scalar T>
 struct surface_place {
   point<T, 3> p;
   vec<T, 3> normal;
+  bool operator==(const surface_place&) const = default;
 };
 
 /// The intensity of the point p of a surface as the eye sees it: the ambient term and what each source adds (7.9 or

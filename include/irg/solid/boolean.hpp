@@ -71,6 +71,7 @@ struct solid_boolean_result {
   std::vector<solid_face_origin> faces{};  // of each face
   std::vector<solid_corner_origin> corners{};  // of each position
   solid_boolean_counts counts{};  // where status is done
+  bool operator==(const solid_boolean_result&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -51,6 +51,7 @@ struct surface_point {
   facing side = facing::front;
   std::uint32_t body = 0;
   T reach{};  // the largest coordinate near by, which `at` is rounded by
+  bool operator==(const surface_point&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

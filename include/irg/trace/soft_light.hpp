@@ -20,6 +20,7 @@ struct area_light {
   point<T, 3> corner{};
   vec<T, 3> first{}, second{};
   rgb<T> intensity{};
+  bool operator==(const area_light&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -22,6 +22,7 @@ struct trace_options {
   int bounces = 6;
   T least_share = T(1) / T(1024);
   shadow_rays shadows = shadow_rays::on;
+  bool operator==(const trace_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

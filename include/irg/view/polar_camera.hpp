@@ -41,6 +41,7 @@ struct polar_camera {
 template <Floating T>
 struct polar_turn {
   sine_and_cosine<T> azimuth{T(0), T(1)}, elevation{T(0), T(1)}, roll{T(0), T(1)};
+  bool operator==(const polar_turn&) const = default;
 };
 
 /// How far a camera may be lifted or lowered in an orbit. At the default limits, the poles, it looks straight down or
@@ -48,6 +49,7 @@ struct polar_turn {
 template <Floating T>
 struct orbit_options {
   T lowest = -pi<T> / T(2), highest = pi<T> / T(2);
+  bool operator==(const orbit_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -32,6 +32,7 @@ struct view_options {
   int radius = (std::numeric_limits<int>::max)();
   /// Only cells in these directions, seen along z.
   sight_cone cone;
+  constexpr bool operator==(const view_options&) const = default;
 };
 
 /// What the sweeps need while they run; kept from call to call, it spares allocations.

@@ -26,6 +26,7 @@ template <Floating T>
 struct space_region {
   std::vector<point<T, 3>> corners;
   region_shape shape = region_shape::flat;
+  bool operator==(const space_region&) const = default;
 };
 
 /// How many random sight lines, which ones, and how wide error bars are.
@@ -33,6 +34,7 @@ struct sight_sampling_options {
   std::int64_t lines = 1000;
   std::uint64_t seed = 1;
   double deviations = 2.5758293035489004;  ///< of the normal distribution: 99 of 100 error bars hold the true share
+  constexpr bool operator==(const sight_sampling_options&) const = default;
 };
 
 /// How many of some sight lines are free, and between which limits the true share lies, as often as was asked for.

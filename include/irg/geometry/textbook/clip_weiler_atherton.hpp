@@ -15,6 +15,7 @@ struct weiler_atherton_clip {
   weiler_atherton_status status = weiler_atherton_status::ok;
   std::vector<std::vector<point<double, 2>>> rings{};
   std::vector<point<double, 2>> entering{}, leaving{};
+  constexpr bool operator==(const weiler_atherton_clip&) const = default;
 };
 
 }  // namespace irg::textbook

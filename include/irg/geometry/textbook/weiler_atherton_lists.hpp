@@ -23,6 +23,7 @@ struct listed_vertex {
   std::size_t edge = 0;
   double along = 0;  // from 0 at the edge's start to 1
   std::optional<std::size_t> crossing{};
+  constexpr bool operator==(const listed_vertex&) const = default;
 };
 
 /// A point where the subject (0) enters or leaves the clip polygon (1), and its places in the lists of both.
@@ -30,6 +31,7 @@ struct listed_crossing {
   point<double, 2> at;
   bool enters = false;
   std::size_t ring[2] = {}, place[2] = {};
+  constexpr bool operator==(const listed_crossing&) const = default;
 };
 
 /// The lists of the subject (0) and of the clip polygon (1), one for each ring, and all crossings.
@@ -38,6 +40,7 @@ struct weiler_atherton_lists {
   weiler_atherton_status status = weiler_atherton_status::ok;
   std::vector<std::vector<listed_vertex>> subject{}, clip{};
   std::vector<listed_crossing> crossings{};
+  constexpr bool operator==(const weiler_atherton_lists&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -19,6 +19,7 @@ template <Scalar T>
 struct visible_plane {
   point<T, 3> p{}, q{}, r{};
   int up = 0;
+  bool operator==(const visible_plane&) const = default;
 };
 
 inline namespace IRG_ABI {
