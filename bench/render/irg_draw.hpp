@@ -27,7 +27,7 @@ struct vertex_colours {
   const float* attributes(const irg::triangle_batch<float>& batch, std::uint32_t vertex, irg::facing) const {
     return &of.colours[of.objects[batch.object].first_vertex + vertex].r;
   }
-  static std::uint8_t byte(float v) { return static_cast<std::uint8_t>(irg::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
+  static std::uint8_t byte(float v) { return static_cast<std::uint8_t>(irg::clamped(v, 0.0f, 1.0f) * 255 + 0.5f); }
   irg::rgba8 pixel(const std::array<float, 3>& light) const {
     return {byte(light[0]), byte(light[1]), byte(light[2]), 255};
   }

@@ -124,7 +124,7 @@ inline picture through() {
         const irg::vec<double, 3> n = irg::normalized(irg::cross(t[1] - t[0], t[2] - t[0]));
         const double light = irg::dot(n, irg::normalized(irg::vec<double, 3>{-0.5, 0.7, 0.6}));
         const auto shade = [&](double most) {
-          return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamp(light, 0.0, 1.0)));
+          return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamped(light, 0.0, 1.0)));
         };
         p(x, y) = {shade(232), shade(168), shade(96), 255};
       }

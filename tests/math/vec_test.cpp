@@ -181,7 +181,7 @@ TEST_CASE("vec: points of any dimension") {
   CHECK_BOTH(irg::to_homogeneous(point4{{4, 3, 2, 1}}) == irg::hpoint<double, 4>{{4, 3, 2, 1, 1}});
   CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 4>{{4, 3, 2, 1, 2}}) == point4{{2, 1.5, 1, 0.5}});
   CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 1>{{6, 3}})[0] == 2);
-  CHECK_BOTH(*irg::try_to_cartesian(irg::identity<double, 5>() * point4{{4, 3, 2, 1}}) == point4{{4, 3, 2, 1}});
+  CHECK_BOTH(*irg::try_to_cartesian(irg::identity_matrix<double, 5>() * point4{{4, 3, 2, 1}}) == point4{{4, 3, 2, 1}});
   CHECK_BOTH(irg::homogeneous_kind_of(irg::hpoint<double, 4>{{0, 1, 0, 0, 0}}) == irg::homogeneous_kind::direction);
 }
 
@@ -375,6 +375,6 @@ TEST_CASE("vec: of numbers that have no constant expressions") {
   const irg::vec<N, 3> v{N(1), N(2), N(3)}, w{N(3), N(2), N(1)};
   CHECK((dot(v, w) == N(10) && v == v && !(v == w) && N(1) / N(2) < N(1)));
   CHECK((irg::point<N, 2>{N(1), N(2)} == irg::point<N, 2>{N(1), N(2)} && irg::hpoint<N, 3>{} == irg::hpoint<N, 3>{}));
-  const auto identity = irg::identity<N, 3>();
+  const auto identity = irg::identity_matrix<N, 3>();
   CHECK((identity == identity && identity * v == v && determinant(identity) == N(1)));
 }

@@ -269,7 +269,7 @@ struct light_and_opacity {
   std::span<const std::array<float, 4>> vertices;
   constexpr const float* attributes(const batch&, std::uint32_t v, facing) const { return vertices[v].data(); }
   constexpr rgba8 pixel(const std::array<float, 4>& a) const {
-    return irg::encode({a[0], a[1], a[2]}, static_cast<std::uint8_t>(irg::clamp(a[3], 0.0f, 1.0f) * 255.0f + 0.5f));
+    return irg::encode({a[0], a[1], a[2]}, static_cast<std::uint8_t>(irg::clamped(a[3], 0.0f, 1.0f) * 255.0f + 0.5f));
   }
 };
 

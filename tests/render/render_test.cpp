@@ -30,7 +30,7 @@ constexpr irg::scene<double> scene_of(const std::vector<irg::mesh<double>>& shap
   irg::scene<double> s;
   for (const auto& shape : shapes) {
     const double share = 1.0 / static_cast<double>(s.objects.size() + 1);
-    s.objects.push_back({shape, irg::identity<double, 4>(), {{share, 1, 1}, {share, 1, 1}, {0.2, 0.2, 0.2}, 8}});
+    s.objects.push_back({shape, irg::identity_matrix<double, 4>(), {{share, 1, 1}, {share, 1, 1}, {0.2, 0.2, 0.2}, 8}});
   }
   s.view.eye = {0, 0, 4};
   s.lights.push_back({{1, 2, 5, 1}, {1, 1, 1}});

@@ -16,7 +16,7 @@ TEST_CASE("scene: types") {
 }
 
 TEST_CASE("scene: an object stands where it was modelled, white and without highlight, unless told otherwise") {
-  CHECK_BOTH(irg::object<double>{}.placement == irg::identity<double, 4>());
+  CHECK_BOTH(irg::object<double>{}.placement == irg::identity_matrix<double, 4>());
   CHECK_BOTH(irg::object<double>{}.surface.diffuse == irg::rgb<double>{1, 1, 1});
   CHECK_BOTH(irg::object<double>{}.surface.ambient == irg::rgb<double>{1, 1, 1});
   CHECK_BOTH(irg::object<float>{}.surface.specular == irg::rgb<float>{0, 0, 0});

@@ -88,19 +88,19 @@ constexpr S& print_list(S& stream, int count, const At& at) {
 
 /// The smaller of two numbers; b when they are unordered (a is NaN).
 template <class T>
-[[nodiscard]] IRG_INLINE constexpr T lesser(T a, T b) noexcept(noexcept(a < b)) {
+[[nodiscard]] IRG_INLINE constexpr T minimum(T a, T b) noexcept(noexcept(a < b)) {
   return a < b ? a : b;
 }
 
 /// The larger of two numbers; b when they are unordered (a is NaN).
 template <class T>
-[[nodiscard]] IRG_INLINE constexpr T greater(T a, T b) noexcept(noexcept(b < a)) {
+[[nodiscard]] IRG_INLINE constexpr T maximum(T a, T b) noexcept(noexcept(b < a)) {
   return b < a ? a : b;
 }
 
 /// x, limited to [low, high]; low when x is NaN.
 template <class T>
-[[nodiscard]] IRG_INLINE constexpr T clamp(T x, T low, T high) noexcept(noexcept(x < low)) {
+[[nodiscard]] IRG_INLINE constexpr T clamped(T x, T low, T high) noexcept(noexcept(x < low)) {
   return low < x ? (x < high ? x : high) : low;
 }
 

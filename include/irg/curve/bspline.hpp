@@ -230,7 +230,7 @@ constexpr void make_sum_one(V& value) noexcept {
     error = error + ((sum - (s - part)) + (next - part));
     sum = s;
     largest = select(most < next, index(i), largest);  // no jumps: which one it is changes from place to place
-    most = high_of(most, next);
+    most = maximum(most, next);
   }
   const F lacking = (lanes<F>::broadcast(1) - sum) - error;
   for (std::size_t i = 0; i < value.size(); ++i) value[i] = value[i] + select(largest == index(i), lacking, zero);

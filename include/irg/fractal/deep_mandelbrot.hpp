@@ -105,7 +105,7 @@ template <Real T = double, int N>
                                                                         const escape_limit<double>& limit) {
   std::vector<reference_point<T>> orbit(1, reference_point<T>{T(0), T(0), T(limit.square)});
   const bool is_near = limit.square < detail::largest_room_square;
-  const double end = lesser(greater(limit.square, 0x1p40), detail::last_square);
+  const double end = minimum(maximum(limit.square, 0x1p40), detail::last_square);
   const fixed_point<2 * N> square(is_near ? limit.square * 0x1p-64 : 0);
   fixed_point<N> x, y;
   fixed_point<2 * N> xx, yy;

@@ -99,11 +99,11 @@ struct escape_disc {
 template <class T>
 constexpr escape_disc<T> disc_about(const point<T, 2>& a, const point<T, 2>& b) noexcept {
   const point<T, 2> m{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  const T x = greater(greater(a.x, b.x) - m.x, m.x - lesser(a.x, b.x)),
-          y = greater(greater(a.y, b.y) - m.y, m.y - lesser(a.y, b.y));
+  const T x = maximum(maximum(a.x, b.x) - m.x, m.x - minimum(a.x, b.x)),
+          y = maximum(maximum(a.y, b.y) - m.y, m.y - minimum(a.y, b.y));
   const T ulps = 8 * std::numeric_limits<T>::epsilon();
   const T size = sqrt(squared_size(x, y));
-  return {m, size + product(size, ulps) + product(greater(magnitude(m.x), magnitude(m.y)), ulps)};
+  return {m, size + product(size, ulps) + product(maximum(magnitude(m.x), magnitude(m.y)), ulps)};
 }
 
 // The count that all orbits of z in one disc with c in another have, or -1 where they may differ.
@@ -115,7 +115,7 @@ constexpr int common_count(escape_disc<T> z, const escape_disc<T>& c, const esca
   if (!(limit.square > 0 && limit.square <= T(0x1p20f))) return -1;
   const T radius = sqrt(limit.square), inner = radius - product(radius, 16 * u),
           outer = radius + product(radius, 16 * u);
-  const T away = greater(magnitude(c.middle.x), magnitude(c.middle.y)) + c.reach;
+  const T away = maximum(magnitude(c.middle.x), magnitude(c.middle.y)) + c.reach;
   if (!(away <= T(0x1p20f))) return -1;
   // What a step rounds, the middle's and each orbit's.
   const T rounded = product(64 * u, limit.square + radius + away);
@@ -369,7 +369,7 @@ public:
     for (std::int64_t x = 0; x < job_.plane.width; x += kernel::count) {
       if (all_known(known, x)) continue;
       kernel k;
-      const int here = static_cast<int>(lesser<std::int64_t>(kernel::count, job_.plane.width - x));
+      const int here = static_cast<int>(minimum<std::int64_t>(kernel::count, job_.plane.width - x));
       const bool looks_inside =
           low && meets_interior(job_.plane.real(static_cast<T>(x)), job_.plane.real(static_cast<T>(x + here - 1)));
       for (unsigned p = 0; p < packs; ++p) {
@@ -390,7 +390,7 @@ public:
         k.counts[p] = select(inner, lanes<mask>::broadcast(job_.limit.most), k.counts[p]);
       }
       k.begin();
-      k.run_short(job_.limit, lesser(short_steps, job_.limit.most));
+      k.run_short(job_.limit, minimum(short_steps, job_.limit.most));
       const bool later = !goes_on(k);
       store(k, row + x, here);
       if (later) keep_for_later(k, row + x);
@@ -403,14 +403,14 @@ public:
     const int width = job_.plane.width;
     std::vector<int> known(static_cast<std::size_t>((width + square_side - 1) / square_side), -1);
     for (int top = y; top < end; top += square_side) {
-      const int bottom = lesser(top + square_side, end);
+      const int bottom = minimum(top + square_side, end);
       if (job_.skip.squares == skipping::on) find_squares(known.data(), top, bottom);
       for (int at = top; at < bottom; ++at) {
         P* const pixels = row_at(at);
         row(pixels, at, known.data());
         for (std::size_t k = 0; k < known.size(); ++k) {
           if (known[k] < 0) continue;
-          const int first = static_cast<int>(k) * square_side, last = lesser(first + square_side, width);
+          const int first = static_cast<int>(k) * square_side, last = minimum(first + square_side, width);
           for (int x = first; x < last; ++x) pixels[x] = static_cast<P>(known[k]);
           stats_.squares += last - first;
         }
@@ -427,7 +427,7 @@ private:
   // The counts of the squares between two rows, each of which one orbit of discs may tell.
   IRG_NOINLINE void find_squares(int* known, int top, int bottom) const noexcept {
     for (int x = 0; x < job_.plane.width; x += square_side) {
-      const int last = lesser(x + square_side, job_.plane.width) - 1;
+      const int last = minimum(x + square_side, job_.plane.width) - 1;
       *known++ = orbits_.common(disc_about(job_.plane.at(x, top), job_.plane.at(last, bottom - 1)), job_.limit);
     }
   }
@@ -438,7 +438,7 @@ private:
   }
   // Whether the cardioid and the disc reach between two real parts.
   IRG_INLINE static bool meets_interior(T a, T b) noexcept {
-    return lesser(a, b) < T(0.376f) && greater(a, b) > T(-1.251f);
+    return minimum(a, b) < T(0.376f) && maximum(a, b) > T(-1.251f);
   }
   IRG_INLINE static void store(const kernel& k, P* to, int here) noexcept {
     using counted = pack<P, f::count>;
@@ -489,7 +489,7 @@ private:
 
   // The last orbits of the queue, as many as run side by side.
   IRG_NOINLINE void run_queue() noexcept {
-    const unsigned here = lesser(queue_.count, static_cast<unsigned>(kernel::count)), first = queue_.count - here;
+    const unsigned here = minimum(queue_.count, static_cast<unsigned>(kernel::count)), first = queue_.count - here;
     kernel k;
     for (unsigned p = 0; p < packs; ++p) {
       const auto at = [&](const T* all) { return f::load(all + first + p * static_cast<unsigned>(f::count)); };
@@ -541,7 +541,7 @@ constexpr escape_counts draw_counts_of(R& counts, const escape_job<T>& job, cons
   const int height = height_of(counts);
   std::vector<escape_counts> of_band(static_cast<std::size_t>((height + band - 1) / band), escape_counts{});
   executor(of_band.size(), [&](std::size_t i) {
-    const int first = static_cast<int>(i) * band, last = lesser(first + band, height);
+    const int first = static_cast<int>(i) * band, last = minimum(first + band, height);
     const auto row_at = [&](int y) { return raster_traits<R>::row(counts, y); };
     of_band[i] = escape_band<pixel_of<R>>(row_at, first, last, job, orbits);
   });

@@ -140,8 +140,8 @@ template <Point P>
 /// exact   comparisons alone
 template <class T, int N>
 [[nodiscard]] constexpr point<T, N> closest_point_in_box(const box<T, N>& b, const point<T, N>& p) noexcept {
-  IRG_EXPECTS(!is_empty(b));
-  return generate_coordinates<point<T, N>>([&](int i) { return clamp(p[i], b.low[i], b.high[i]); });
+  IRG_EXPECTS(!b.empty());
+  return generate_coordinates<point<T, N>>([&](int i) { return clamped(p[i], b.low[i], b.high[i]); });
 }
 
 /// The points of two lines in space that are nearest to each other, and their parameters: one point where the lines

@@ -166,8 +166,8 @@ private:
   constexpr bool is_ear(std::uint32_t tip) noexcept {
     const std::uint32_t before = m_->previous[tip], after = m_->next[tip];
     const point<T, 2>&a = at(before), &b = at(tip), &c = at(after);
-    const T x_low = lesser(lesser(a.x, b.x), c.x), x_high = greater(greater(a.x, b.x), c.x);
-    const T y_low = lesser(lesser(a.y, b.y), c.y), y_high = greater(greater(a.y, b.y), c.y);
+    const T x_low = minimum(minimum(a.x, b.x), c.x), x_high = maximum(maximum(a.x, b.x), c.x);
+    const T y_low = minimum(minimum(a.y, b.y), c.y), y_high = maximum(maximum(a.y, b.y), c.y);
     auto r = std::lower_bound(m_->reflex_by_x.begin(), m_->reflex_by_x.end(), x_low,
                               [&](std::uint32_t i, const T& x) { return at(i).x < x; });
     for (; r != m_->reflex_by_x.end() && !(x_high < at(*r).x); ++r) {

@@ -46,8 +46,8 @@ template <class Surface>
     bool any = false;
     for (const double v : numbers) {
       if (!is_finite(v)) continue;
-      low = any ? lesser(low, v) : v;
-      high = any ? greater(high, v) : v;
+      low = any ? minimum(low, v) : v;
+      high = any ? maximum(high, v) : v;
       any = true;
     }
   };
@@ -65,7 +65,7 @@ template <class Surface>
 template <class Box>
 [[nodiscard]] constexpr surface_camera camera_on(const Box& box, const point<double, 3>& eye) noexcept {
   const auto unit = [](const vec<double, 3>& v) {
-    const double size = greater(greater(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+    const double size = maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
     if (!(size > 0)) return vec<double, 3>{0, 0, 0};
     const vec<double, 3> s = v / size;
     return s / sqrt(dot(s, s));

@@ -77,8 +77,8 @@ template <class T>
 [[nodiscard]] constexpr rgba8 height_colour(T share) noexcept {
   constexpr rgba8 stops[] = {
       {38, 66, 128, 255}, {62, 130, 180, 255}, {196, 178, 128, 255}, {206, 116, 58, 255}, {140, 36, 52, 255}};
-  const T place = clamp(share, T(0), T(1)) * 4;
-  const int k = lesser(static_cast<int>(place), 3);
+  const T place = clamped(share, T(0), T(1)) * 4;
+  const int k = minimum(static_cast<int>(place), 3);
   return mix(stops[k], stops[k + 1], static_cast<std::uint8_t>((place - static_cast<T>(k)) * 255));
 }
 

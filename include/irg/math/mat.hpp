@@ -62,7 +62,7 @@ template <Scalar T, int R, int C, class F>
 
 /// The matrix that leaves everything where it is.
 template <Scalar T, int N>
-[[nodiscard]] constexpr mat<T, N, N> identity() noexcept {
+[[nodiscard]] constexpr mat<T, N, N> identity_matrix() noexcept {
   return generate_mat<T, N, N>([](int r, int c) { return r == c ? T(1) : T(0); });
 }
 

@@ -156,7 +156,7 @@ template <Floating T>
 /// exact   coordinates rounded once; mirror images in the coordinate planes are exact
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_grid(const grid_options& options = {}) {
-  const int columns = clamp(options.columns, 1, 4096), rows = clamp(options.rows, 1, 4096);
+  const int columns = clamped(options.columns, 1, 4096), rows = clamped(options.rows, 1, 4096);
   const auto place = [](int k, int n) { return static_cast<T>(2 * k - n) / static_cast<T>(n); };
   mesh<T> m;
   for (int j = 0; j <= rows; ++j)
@@ -182,7 +182,7 @@ template <Floating T>
 ///         exact where slices is even (x, z by 4) and stacks any number
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_sphere(const sphere_options& options = {}) {
-  const int slices = clamp(options.slices, 3, 4096), stacks = clamp(options.stacks, 2, 4096);
+  const int slices = clamped(options.slices, 3, 4096), stacks = clamped(options.stacks, 2, 4096);
   mesh<T> m;
   detail::add_rings(m, slices, stacks, detail::ring_end::pole, detail::ring_end::pole, [&](int i, int j) {
     const vec<double, 2> across = detail::circle_point(i, slices), down = detail::circle_point(j, 2 * stacks);
@@ -199,8 +199,8 @@ template <Floating T>
 /// exact   positions within 4u*(major_radius + minor_radius), normals within 3u of length 1
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
-  const int major = clamp(options.major_segments, 3, 4096);
-  const int minor = clamp(options.minor_segments, 3, 4096);
+  const int major = clamped(options.major_segments, 3, 4096);
+  const int minor = clamped(options.minor_segments, 3, 4096);
   const double ring_radius = widened(options.major_radius), tube_radius = widened(options.minor_radius);
   mesh<T> m;
   detail::add_rings(m, major, minor, detail::ring_end::closed, detail::ring_end::closed, [&](int i, int j) {
@@ -222,7 +222,7 @@ template <Floating T>
 /// exact   positions within 3u of the radius; lids are plane, sides nearly
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32) {
-  slices = clamp(slices, 3, 4096);
+  slices = clamped(slices, 3, 4096);
   mesh<T> m;
   std::vector<std::uint32_t> lower, upper;
   for (std::size_t k = 0; k < profile.size(); ++k) {

@@ -77,7 +77,7 @@ private:
 class dash_mask_walk {
 public:
   constexpr explicit dash_mask_walk(const dash_mask& pattern) noexcept
-      : mask_(pattern.mask), repeat_(greater(pattern.repeat, std::uint32_t{1})) {}
+      : mask_(pattern.mask), repeat_(maximum(pattern.repeat, std::uint32_t{1})) {}
   constexpr std::uint64_t reduced(std::uint64_t position) const noexcept {
     return position % (std::uint64_t{16} * repeat_);
   }

@@ -95,7 +95,7 @@ struct farthest_depths {
     if ((known >> i & 1) != 0) return farthest[i];
     known |= std::uint64_t{1} << i;
     const int x_first = window.x_first + bx * block, y_first = window.y_first + by * block;
-    const int x_last = lesser(x_first + block, window.x_last), y_last = lesser(y_first + block, window.y_last);
+    const int x_last = minimum(x_first + block, window.x_last), y_last = minimum(y_first + block, window.y_last);
     bool any = false;
     float hidden_at = 0;
     for (int y = y_first; y < y_last; ++y) {

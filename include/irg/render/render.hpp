@@ -262,7 +262,7 @@ constexpr render_counts draw_rescaled(const Method& method, const styled_objects
   const auto in_portions = [&](const auto& f) {
     executor(static_cast<std::size_t>((height + rows - 1) / rows), [&](std::size_t i) {
       const int first = static_cast<int>(i) * rows;
-      for (int y = first; y < lesser(first + rows, height); ++y) f(i, y);
+      for (int y = first; y < minimum(first + rows, height); ++y) f(i, y);
     });
   };
   std::vector<float> largest_of(static_cast<std::size_t>((height + rows - 1) / rows), 1.0f);
@@ -270,7 +270,7 @@ constexpr render_counts draw_rescaled(const Method& method, const styled_objects
     for (int x = 0; x < width; ++x) largest_of[i] = largest_channel(largest_of[i], light(x, y));
   });
   float largest = 1.0f;
-  for (const float l : largest_of) largest = greater(l, largest);
+  for (const float l : largest_of) largest = maximum(l, largest);
   const auto row_of = []<class R>(R& raster, int y) { return raster_traits<R>::row(raster, y); };
   in_portions([&](std::size_t, int y) {
     const float* const depths = row_of(to.depth, y);

@@ -109,8 +109,8 @@ private:
 
   static constexpr cell_window around(const cell_window& a, const cell_window& b) noexcept {
     if (a.empty() || b.empty()) return a.empty() && !b.empty() ? b : a;
-    return {lesser(a.x_first, b.x_first), lesser(a.y_first, b.y_first), greater(a.x_last, b.x_last),
-            greater(a.y_last, b.y_last)};
+    return {minimum(a.x_first, b.x_first), minimum(a.y_first, b.y_first), maximum(a.x_last, b.x_last),
+            maximum(a.y_last, b.y_last)};
   }
 
   // Whether a point of the near plane may lie in a cell, so that rays begin in it.

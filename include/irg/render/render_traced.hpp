@@ -105,8 +105,8 @@ template <Floating T, RowRaster Colour, Executor E = sequential>
 constexpr render_counts render_traced(const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic,
                                      Colour& colour, const traced_options<T>& options = {}, const E& executor = {}) {
   if (width_of(colour) == 0 || height_of(colour) == 0) return {};
-  const int longer = greater(width_of(colour), height_of(colour));
-  const int samples = clamp(lesser(options.samples, 65536 / longer), 1, 16);
+  const int longer = maximum(width_of(colour), height_of(colour));
+  const int samples = clamped(minimum(options.samples, 65536 / longer), 1, 16);
   const int width = width_of(colour) * samples, height = height_of(colour) * samples;
   prepared_scene<T> ready = prepare_scene(world);
   std::vector<traced_body<T>> bodies;

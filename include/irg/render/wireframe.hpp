@@ -80,7 +80,7 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
 
 // An edge between two vertices as one number, the smaller index first: the same for both faces that share it.
 IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noexcept {
-  return std::uint64_t{lesser(p, q)} << 32 | greater(p, q);
+  return std::uint64_t{minimum(p, q)} << 32 | maximum(p, q);
 }
 
 // The line of an edge; not seen when it is out of sight, or a vertex is not there.
@@ -163,7 +163,7 @@ constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& 
   executor(shaded.size(), [&](std::size_t band) {
     const int y = static_cast<int>(band) * rows;
     for (const detail::line_on_screen& l : lines)
-      line_bresenham(l.from, l.to, {0, y, width_of(colour), lesser(y + rows, height)}, [&](cell c) {
+      line_bresenham(l.from, l.to, {0, y, width_of(colour), minimum(y + rows, height)}, [&](cell c) {
         set_pixel(colour, c.x, c.y, line);
         ++shaded[band];
       });

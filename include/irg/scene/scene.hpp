@@ -16,7 +16,7 @@ namespace irg {
 template <Floating T>
 struct object {
   mesh<T> shape;
-  mat<T, 4, 4> placement = identity<T, 4>();
+  mat<T, 4, 4> placement = identity_matrix<T, 4>();
   material<T> surface{{T(1), T(1), T(1)}, {T(1), T(1), T(1)}, {}, T(1)};
   bool operator==(const object&) const = default;
 };

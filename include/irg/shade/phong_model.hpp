@@ -95,7 +95,7 @@ template <Scalar T>
   if (!(T(0) < rv)) return T(0);
   const int n = detail::small_integer(shininess);
   if constexpr (Floating<T>) {
-    return n < 0 ? pow(lesser(rv, T(1)), shininess) : integer_power(rv, n);
+    return n < 0 ? pow(minimum(rv, T(1)), shininess) : integer_power(rv, n);
   } else {
     IRG_EXPECTS(n >= 0);
     return integer_power(rv, n);

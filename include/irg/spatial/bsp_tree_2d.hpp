@@ -165,7 +165,7 @@ private:
     }
     for (const entry& e : all)
       for (const point<T, 2>& p : {segments_[e.place].a, segments_[e.place].b})
-        if (greater(magnitude(widened(p[0])), magnitude(widened(p[1]))) > 0x1p200) scale_ = 0x1p-850;
+        if (maximum(magnitude(widened(p[0])), magnitude(widened(p[1]))) > 0x1p200) scale_ = 0x1p-850;
     for (entry& e : all) {
       const segment<T, 2>& s = segments_[e.place];
       const linear_form<2> line = form_of(s);
@@ -176,8 +176,8 @@ private:
   template <class Cells>
   [[nodiscard]] IRG_APART constexpr std::uint32_t dividing_line(const Cells& cells, std::uint32_t pieces,
                                                                 const bsp_options& choice) const {
-    const std::size_t n = cells.size(pieces), candidates = lesser(choice.candidates, n),
-                      judges = lesser(choice.judges, n);
+    const std::size_t n = cells.size(pieces), candidates = minimum(choice.candidates, n),
+                      judges = minimum(choice.judges, n);
     std::uint32_t best = cells.first(pieces).segment;
     if (candidates < 2) return best;
     std::vector<bsp_piece_2d> judge;

@@ -111,7 +111,7 @@ public:
   template <class Sink>
   IRG_APART constexpr void visit(const point<T, 3>& eye, bsp_order order, Sink&& sink) const {
     const double at[3] = {widened(eye[0]), widened(eye[1]), widened(eye[2])};
-    const double reach = greater(greater(magnitude(at[0]), magnitude(at[1])), magnitude(at[2]));
+    const double reach = maximum(maximum(magnitude(at[0]), magnitude(at[1])), magnitude(at[2]));
     walk(order, sink, [&](std::uint32_t i) {
       const int sure = tree_.steps[i].plane(at, reach).sign();
       return sure != 0 ? sure : detail::exact_side(tree_.data, tree_.data.nodes[i].plane, eye);

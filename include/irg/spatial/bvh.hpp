@@ -184,8 +184,8 @@ struct box_cut {
                             bvh_item& high) const noexcept {
     const bvh_item from = whole;
     low = high = from;
-    low.v[4 + axis] = greater(from.v[4 + axis], 0.0f - plane);
-    high.v[axis] = greater(from.v[axis], plane);
+    low.v[4 + axis] = maximum(from.v[4 + axis], 0.0f - plane);
+    high.v[axis] = maximum(from.v[axis], plane);
   }
 };
 
@@ -224,8 +224,8 @@ struct triangle_cut {
     }
     limit(low, from, below);
     limit(high, from, above);
-    low.v[4 + axis] = greater(low.v[4 + axis], 0.0f - plane);
-    high.v[axis] = greater(high.v[axis], plane);
+    low.v[4 + axis] = maximum(low.v[4 + axis], 0.0f - plane);
+    high.v[axis] = maximum(high.v[axis], plane);
   }
 
 private:
@@ -234,8 +234,8 @@ private:
 
     constexpr void hold(const double (&p)[3], double off) noexcept {
       for (int k = 0; k < 3; ++k) {
-        low[k] = lesser(low[k], p[k] - off);
-        high[k] = greater(high[k], p[k] + off);
+        low[k] = minimum(low[k], p[k] - off);
+        high[k] = maximum(high[k], p[k] + off);
       }
     }
   };
@@ -244,8 +244,8 @@ private:
   static constexpr void limit(bvh_item& part, const bvh_item& from, const extent& e) noexcept {
     part = from;
     for (int k = 0; k < 3; ++k) {
-      part.v[k] = greater(from.v[k], float_below(e.low[k]));
-      part.v[4 + k] = greater(from.v[4 + k], float_below(-e.high[k]));
+      part.v[k] = maximum(from.v[k], float_below(e.low[k]));
+      part.v[4 + k] = maximum(from.v[4 + k], float_below(-e.high[k]));
     }
   }
 };
@@ -281,7 +281,7 @@ constexpr void build_by_cuts(bvh& tree, std::vector<bvh_item>&& items, const cut
   bvh_item all = empty_item();
   for (const bvh_item& i : items) grow(all, i);
   const std::size_t held = items.size();
-  const double spare = clamp(widened(limits.spare), 0.0, 4.0);
+  const double spare = clamped(widened(limits.spare), 0.0, 4.0);
   items.resize(held + static_cast<std::size_t>(static_cast<double>(held) * spare), bvh_item{});
   const auto places = static_cast<std::uint32_t>(items.size()), count = static_cast<std::uint32_t>(held);
   area_splits<Cut> source = make_area_splits(std::move(items), limits.bins, cut, limits.overlap * area_of(all));
@@ -296,7 +296,7 @@ constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_options& co
   bvh tree;
   std::vector<bvh_item> items = make_items(boxes, tree, executor);
   if (items.empty()) return tree;
-  const int bins = clamp(config.bins, 2, 32);
+  const int bins = clamped(config.bins, 2, 32);
   if (config.method == bvh_method::morton)
     build_by_morton(tree, items, executor);
   else if (config.method == bvh_method::surface_area)

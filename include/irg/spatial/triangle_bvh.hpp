@@ -203,7 +203,7 @@ inline namespace IRG_ABI {
 IRG_INLINE constexpr double reach_of(const bvh& tree, const space_point& origin) noexcept {
   constexpr double slack = 1 + 0x1p-50;
   double most = 0;
-  for (int i = 0; i < 3; ++i) most = greater(most, magnitude(origin[i]));
+  for (int i = 0; i < 3; ++i) most = maximum(most, magnitude(origin[i]));
   return (most + 1 / tree.scale) * slack;
 }
 
@@ -411,7 +411,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
         if ((f.hit >> k & 1) == 0 || is_before(f.rays[k], blocks, x, f.best[k])) {
           new (static_cast<void*>(&f.best[k])) first_crossing(x);
           f.hit |= 1u << k;
-          p.high[k] = lesser(p.high[k], later_time(p.whole, x.time.t + x.time.error));
+          p.high[k] = minimum(p.high[k], later_time(p.whole, x.time.t + x.time.error));
           nearer = true;
         }
         return false;

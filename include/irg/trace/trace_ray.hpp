@@ -34,7 +34,7 @@ IRG_INLINE constexpr rgb<T> filtered_light(const rgb<T>& a, const rgb<T>& b) noe
 
 template <class T>
 IRG_INLINE constexpr T greatest_channel(const rgb<T>& a) noexcept {
-  return greater(a.r, greater(a.g, a.b));
+  return maximum(a.r, maximum(a.g, a.b));
 }
 
 // A point beside the surface, on the side of a normal of length 1: farther than what the point was rounded by.

@@ -189,7 +189,7 @@ template <Floating T>
     c.azimuth = atan2(a.sine, a.cosine);
   }
   const T lifted = magnitude(by_elevation) <= most ? c.elevation + by_elevation : c.elevation;
-  c.elevation = clamp(lifted, limits.lowest, limits.highest);
+  c.elevation = clamped(lifted, limits.lowest, limits.highest);
   return c;
 }
 

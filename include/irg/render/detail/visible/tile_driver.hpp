@@ -106,19 +106,19 @@ std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers,
   auto least = F::broadcast(beyond_everything), greatest = F::broadcast(-beyond_everything);
   for (std::size_t i = 0; i < size; i += count) {
     corner_lanes<count> c;
-    c.collect(find, numbers.data() + i, static_cast<int>(lesser(size - i, std::size_t{count})));
+    c.collect(find, numbers.data() + i, static_cast<int>(minimum(size - i, std::size_t{count})));
     const auto of = [&](int k) { return c.depth[k] * F::broadcast(sign); };
-    const auto nearest = high_of(high_of(of(0), of(1)), of(2));
+    const auto nearest = maximum(maximum(of(0), of(1)), of(2));
     F::store(key.data() + i, nearest);
-    least = low_of(nearest, least);
-    greatest = high_of(nearest, greatest);
+    least = minimum(nearest, least);
+    greatest = maximum(nearest, greatest);
   }
-  const float front = -least_of(F::broadcast(0.0f) - greatest), range = front - least_of(least);
+  const float front = -reduce_min(F::broadcast(0.0f) - greatest), range = front - reduce_min(least);
   const float scale = 0.0f < range ? 255.0f / range : 0.0f;
   std::vector<std::uint8_t> bucket(size);
   std::uint32_t start[257] = {};
   for (std::size_t i = 0; i < size; ++i) {
-    bucket[i] = static_cast<std::uint8_t>(clamp((front - key[i]) * scale, 0.0f, 255.0f));
+    bucket[i] = static_cast<std::uint8_t>(clamped((front - key[i]) * scale, 0.0f, 255.0f));
     ++start[bucket[i] + 1];
   }
   for (int b = 0; b < 256; ++b) start[b + 1] += start[b];
