@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <irg/core/scalar.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <complex>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -105,4 +107,10 @@ TEST_CASE("scalar: clamped keeps within the range, whatever comes") {
   CHECK_BOTH(irg::clamped(not_a_number, -1.0, 1.0) == -1.0);
   CHECK_BOTH((irg::clamped(infinity, -1.0, 1.0) == 1.0 && irg::clamped(-infinity, -1.0, 1.0) == -1.0));
   CHECK_BOTH(irg::clamped(archetype::scalar(9), archetype::scalar(1), archetype::scalar(4)) == archetype::scalar(4));
+}
+
+TEST_CASE("scalar: std's names are free under both directives") {
+  using namespace std;
+  using namespace irg;
+  CHECK((clamp(5, 0, 3) == clamped(5, 0, 3) && greater<>{}(2, 1) && identity{}(maximum(2, 1)) == 2));
 }
