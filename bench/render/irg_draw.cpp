@@ -53,7 +53,7 @@ renderer::left_out renderer::collect(const irg::skip_options& skip, int threads)
 
 template <class Picture, class MakeShader>
 irg::render_counts renderer::draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
-                                      const irg::skip_options& skip, int threads) {
+                                       const irg::skip_options& skip, int threads) {
   const left_out whole = collect(skip, threads);
   irg::render_counts stats = irg::shade_batches<irg::nearer_is_greater, float>(
       irg::render_target{picture, depth}, {batches_, mapping_}, make_shader,
@@ -66,7 +66,7 @@ irg::render_counts renderer::draw_with(Picture& picture, irg::image<float>& dept
 }
 
 irg::render_counts renderer::draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth,
-                                 const irg::skip_options& skip, int threads) {
+                                  const irg::skip_options& skip, int threads) {
   return draw_with(picture, depth, vertex_colours{scene_}, skip, threads);
 }
 

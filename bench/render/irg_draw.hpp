@@ -67,7 +67,7 @@ public:
 
   /// Clears to black, draws the scene with the colours of its vertices.
   irg::render_counts draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth, const irg::skip_options& skip,
-                         int threads);
+                          int threads);
   /// The same with pixels in sRGB.
   irg::render_counts draw_encoded(irg::image<irg::rgba8>& picture, irg::image<float>& depth);
   /// Draws the number of the visible triangle, plus 1, into each pixel.
@@ -94,7 +94,7 @@ private:
   left_out collect(const irg::skip_options& skip, int threads);
   template <class Picture, class MakeShader>
   irg::render_counts draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
-                              const irg::skip_options& skip, int threads);
+                               const irg::skip_options& skip, int threads);
 
   const scene& scene_;
   irg::screen_mapping<float> mapping_;

@@ -54,7 +54,7 @@ std::string stats_json(const irg::render_counts& s, const timings& ms, std::uint
 /// The picture by the method that the options name. Edges are not faces: `wire` knows none of the classical methods.
 template <class Observer>
 irg::render_counts draw(const render_settings& s, const irg::scene<double>& world, irg::image<irg::rgba8>& picture,
-                       irg::image<float>& depth, const Observer& observer) {
+                        irg::image<float>& depth, const Observer& observer) {
   irg::render_options options = s.options;
   options.hidden =
       s.hidden == hidden_name::none ? irg::hidden_surface_method::none : irg::hidden_surface_method::zbuffer;
@@ -180,7 +180,7 @@ void add_body(irg::line_drawing& drawing, const render_settings& s, irg::face_cu
 
 /// Draws the visible parts of edges, into the picture and as lines; under them the hidden parts, if asked for.
 irg::render_counts draw_hidden_lines(const render_settings& s, const irg::scene<double>& world,
-                                    irg::image<irg::rgba8>& picture, text_sink& text, stopwatch& watch, timings& ms) {
+                                     irg::image<irg::rgba8>& picture, text_sink& text, stopwatch& watch, timings& ms) {
   const irg::picture_colours colours;
   clear(picture, colours.background);
   const auto to_clip = view_projection(world.view, static_cast<double>(s.size.width) / s.size.height);

@@ -157,7 +157,8 @@ TEST_CASE("vec: operators by hand") {
 
 TEST_CASE("vec: written as (1, 2, 3) into any stream of numbers and text") {
   std::ostringstream out;
-  out << vec3{1, -2, 0.5} << irg::point<int, 2>{3, 4} << irg::hpoint<float, 3>{1, 2, 3, 1} << irg::vec<signed char, 1>{{65}};
+  out << vec3{1, -2, 0.5} << irg::point<int, 2>{3, 4} << irg::hpoint<float, 3>{1, 2, 3, 1}
+      << irg::vec<signed char, 1>{{65}};
   CHECK(out.str() == "(1, -2, 0.5)(3, 4)(1, 2, 3, 1)(65)");
   static_assert(!irg::TextStream<std::ostringstream, run_time_number> && !irg::TextStream<int>);
 }

@@ -17,8 +17,8 @@ using test::triangle_scene;
 
 template <irg::DepthOrder Order = irg::nearer_is_greater, irg::Floating T = double, class E = irg::sequential>
 constexpr std::pair<irg::image<float>, irg::render_counts> depths(const triangle_scene& s, face_culling culling,
-                                                                 const skip_options& skip = {},
-                                                                 const E& executor = {}) {
+                                                                  const skip_options& skip = {},
+                                                                  const E& executor = {}) {
   irg::image<float> depth(s.width, s.height, 0.5f);
   const auto mapping = irg::map_to_screen<T>(s.width, s.height);
   const auto positions = test::positions_in<T>(s);

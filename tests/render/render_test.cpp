@@ -69,8 +69,8 @@ constexpr small_picture copied(const test::rendered& r) {
 
 static_assert(irg::render_options{} == irg::render_options{} &&
               irg::render_options{} != irg::render_options{irg::picture_style::flat});
-static_assert(std::equality_comparable<irg::draw_options<irg::rgba8>> &&
-              std::equality_comparable<irg::screen_vertex> && std::equality_comparable<irg::screen_mapping<float>>);
+static_assert(std::equality_comparable<irg::draw_options<irg::rgba8>> && std::equality_comparable<irg::screen_vertex> &&
+              std::equality_comparable<irg::screen_mapping<float>>);
 
 TEST_CASE("render: two lit, depth-tested triangles in a constant expression, with the bytes of run time") {
   static constexpr small_picture at_compile_time = copied(test::render_constant(crossing_triangles(), 32, 32));

@@ -63,7 +63,7 @@ rendered render(const irg::scene<float>& world, int width, int height, const irg
 rendered render(irg::prepared_scene<double>& world, int width, int height, const irg::render_options& options = {},
                 const any_executor& executor = {}, const any_observer& observer = {});
 irg::render_counts render_into(irg::image_view<irg::rgba8> colour, irg::image<float>& depth,
-                              const irg::scene<double>& world, const irg::render_options& options = {});
+                               const irg::scene<double>& world, const irg::render_options& options = {});
 
 /// For constant expressions.
 template <class T>

@@ -183,7 +183,8 @@ inline namespace IRG_ABI {
 template <ControlPoints R, ControlPoints S>
   requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
 constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
-    const R& first, const S& second, const std::type_identity_t<bezier_intersection_options<scalar_of<control_point<R>>>>& search,
+    const R& first, const S& second,
+    const std::type_identity_t<bezier_intersection_options<scalar_of<control_point<R>>>>& search,
     std::span<curve_meeting<scalar_of<control_point<R>>>> room, std::span<control_point<R>> scratch) noexcept {
   using T = scalar_of<control_point<R>>;
   constexpr int depth = minimum(std::numeric_limits<T>::digits, 30);

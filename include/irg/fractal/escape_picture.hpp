@@ -518,7 +518,7 @@ private:
 
 template <class P, class RowAt, class T, class Orbits>
 escape_counts escape_band_in_lanes(const RowAt& row_at, int first, int last, const escape_job<T>& job,
-                                  const Orbits& orbits) {
+                                   const Orbits& orbits) {
   escape_rows<T, Orbits, P> rows(job, orbits);
   rows.band(row_at, first, last);
   return rows.finish();
@@ -527,7 +527,7 @@ escape_counts escape_band_in_lanes(const RowAt& row_at, int first, int last, con
 // The rows from `first` to before `last` of a picture of pixels P.
 template <class P, class RowAt, class T, class Orbits>
 constexpr escape_counts escape_band(const RowAt& row_at, int first, int last, const escape_job<T>& job,
-                                   const Orbits& orbits) {
+                                    const Orbits& orbits) {
   if (!std::is_constant_evaluated()) return escape_band_in_lanes<P>(row_at, first, last, job, orbits);
   escape_counts stats;
   for (int y = first; y < last; ++y) stats += escape_row_plainly(row_at(y), y, job, orbits);

@@ -286,7 +286,7 @@ constexpr interval<T> interval_product(const interval<T>& a, const interval<T>& 
   if (a.is_empty() || b.is_empty()) return interval<T>::empty();
   const auto lowest = [](const interval<T>& x, const interval<T>& y) {
     return minimum(minimum(product_down(x.lower(), y.lower()), product_down(x.lower(), y.upper())),
-                  minimum(product_down(x.upper(), y.lower()), product_down(x.upper(), y.upper())));
+                   minimum(product_down(x.upper(), y.lower()), product_down(x.upper(), y.upper())));
   };
   return {lowest(a, b), -lowest(-a, b)};
 }

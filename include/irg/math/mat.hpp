@@ -224,8 +224,7 @@ template <class T, int N>
 template <class S, class T, int R, int C>
   requires TextStream<S, T>
 constexpr S& operator<<(S& stream, const mat<T, R, C>& m) {
-  return print_list(stream, R,
-                    [&](int r) { return generate_coordinates<vec<T, C>>([&](int c) { return m(r, c); }); });
+  return print_list(stream, R, [&](int r) { return generate_coordinates<vec<T, C>>([&](int c) { return m(r, c); }); });
 }
 
 IRG_REFUSES_VECTORS(transform_point);

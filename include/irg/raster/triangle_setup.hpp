@@ -31,6 +31,9 @@ struct screen_weights {
 template <class F>
 struct depth_plane {
   F gain[3], rest, low, high;
+  bool operator==(const depth_plane&) const
+    requires std::equality_comparable<F>
+  = default;
 };
 
 /// Everything about a triangle that its pixels share. Vertices and edges keep the order the vertices were given in. The

@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Depth, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float>
 constexpr render_counts draw_depth(Depth& depth, const projected_triangles<T>& triangles,
-                                  const draw_depth_options& settings = {}, const E& executor = {}) {
+                                   const draw_depth_options& settings = {}, const E& executor = {}) {
   constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
   draw_workspace own;
   auto&& rows = detail::rows_of(depth);

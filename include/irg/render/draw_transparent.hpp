@@ -53,8 +53,8 @@ template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::ne
           class Blend = over_in_light, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
 constexpr render_counts draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                        const MakeShader& make_shader, const transparent_options<Blend>& settings = {},
-                                        const E& executor = {});
+                                         const MakeShader& make_shader, const transparent_options<Blend>& settings = {},
+                                         const E& executor = {});
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -231,8 +231,8 @@ template <DepthOrder Order, depth_test Test, Floating T, RowRaster Colour, RowRa
           class Blend, Executor E>
   requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
 constexpr render_counts draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                        const MakeShader& make_shader, const transparent_options<Blend>& settings,
-                                        const E& executor) {
+                                         const MakeShader& make_shader, const transparent_options<Blend>& settings,
+                                         const E& executor) {
   const detail::picture_tiles grid(width_of(target.colour), height_of(target.colour));
   const std::span<const triangle_batch<T>> batches = triangles.batches();
   detail::triangle_bins bins;

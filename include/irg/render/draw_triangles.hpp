@@ -39,8 +39,8 @@ template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster C
           RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
 constexpr render_counts shade_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                     const MakeShader& make_shader,
-                                     const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {});
+                                      const MakeShader& make_shader,
+                                      const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {});
 
 /// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
@@ -49,8 +49,8 @@ template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster C
     { make_shader(std::uint32_t{}, facing::front) } -> PixelShader<pixel_of<Colour>>;
   }
 constexpr render_counts shade_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                       const MakeShader& make_shader,
-                                       const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+                                        const MakeShader& make_shader,
+                                        const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   return shade_batches<Order>(
       target, triangles, [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); },
       settings, executor);
@@ -100,8 +100,8 @@ namespace irg::inline IRG_ABI {
 template <DepthOrder Order, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader, Executor E>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
 constexpr render_counts shade_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                     const MakeShader& make_shader, const draw_options<pixel_of<Colour>>& settings,
-                                     const E& executor) {
+                                      const MakeShader& make_shader, const draw_options<pixel_of<Colour>>& settings,
+                                      const E& executor) {
   draw_workspace own;
   auto&& colour = detail::rows_of(target.colour);
   auto&& depth = detail::rows_of(target.depth);

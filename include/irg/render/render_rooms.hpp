@@ -57,7 +57,7 @@ template <Floating T>
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
-                              const render_options& options = {}, const E& executor = {});
+                               const render_options& options = {}, const E& executor = {});
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -172,7 +172,7 @@ template <Floating T>
 template <Floating T, RowRaster Colour, RowRaster Depth, Executor E>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
-                              const render_options& options, const E& executor) {
+                               const render_options& options, const E& executor) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());

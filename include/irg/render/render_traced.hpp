@@ -103,7 +103,7 @@ inline namespace IRG_ABI {
 template <Floating T, RowRaster Colour, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8>
 constexpr render_counts render_traced(const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic,
-                                     Colour& colour, const traced_options<T>& options = {}, const E& executor = {}) {
+                                      Colour& colour, const traced_options<T>& options = {}, const E& executor = {}) {
   if (width_of(colour) == 0 || height_of(colour) == 0) return {};
   const int longer = maximum(width_of(colour), height_of(colour));
   const int samples = clamped(minimum(options.samples, 65536 / longer), 1, 16);

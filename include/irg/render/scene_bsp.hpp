@@ -32,7 +32,7 @@ template <Floating T>
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts render(const bsp_tree_3d<T>& tree, const scene<T>& world, render_target<Colour, Depth> target,
-                              render_options options = {}, const E& executor = {}) {
+                               render_options options = {}, const E& executor = {}) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   options.skip.frustum = skipping::off;  // objects that are left out are not counted

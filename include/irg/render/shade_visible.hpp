@@ -41,8 +41,8 @@ template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster C
           RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
 constexpr render_counts shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
-                                     const MakeShader& make_shader,
-                                     const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+                                      const MakeShader& make_shader,
+                                      const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   const detail::ids_as_they_are method{};
   draw_workspace own;
   auto&& colour = detail::rows_of(target.colour);

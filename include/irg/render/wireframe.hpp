@@ -43,7 +43,7 @@ inline namespace IRG_ABI {
 ///         smaller vertex index to the larger
 template <Floating T = double, RowRaster Colour, Executor E = sequential>
 constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
-                                      face_culling culling = face_culling::none, const E& executor = {});
+                                       face_culling culling = face_culling::none, const E& executor = {});
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -133,7 +133,7 @@ namespace irg::inline IRG_ABI {
 
 template <Floating T, RowRaster Colour, Executor E>
 constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
-                                      face_culling culling, const E& executor) {
+                                       face_culling culling, const E& executor) {
   const auto& [vertices, m, mapping, frustum] = drawn;
   const cell_window picture{0, 0, width_of(colour), height_of(colour)};
   const bool may_skip = frustum == skipping::on && vertices.any.outside != 0;

@@ -131,7 +131,8 @@ constexpr mat<T, 3, 3> scaled_cofactors(const mat<T, 3, 3>& a) noexcept {
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c)
       for (const pair& p : {times(r + 1, c + 1, r + 2, c + 2), times(r + 1, c + 2, r + 2, c + 1)})
-        largest = maximum(largest, p.exponent), smallest = p.exponent == none ? smallest : minimum(smallest, p.exponent);
+        largest = maximum(largest, p.exponent),
+        smallest = p.exponent == none ? smallest : minimum(smallest, p.exponent);
   if (least <= smallest && largest < aim) return cofactor_matrix(a);
   return generate_mat<T, 3, 3>([&](int r, int c) {
     const auto value = [&](const pair& p) { return times_power_of_two(p.significand, p.exponent - largest + aim); };

@@ -145,8 +145,8 @@ struct aa_slender {
             cap_full = product(cap_part, all(aa_full));
     const auto below = [&](float boundary) {
       const F j = all(boundary), dl = j - low_x, dh = j - high_x, dc = j - cap_x;
-      const F l = minimum(maximum(dl, zero), low_rise), h = minimum(maximum(dh, zero), high_rise), c0 = maximum(dc, zero),
-              c1 = maximum(dc - cap_rise, zero);
+      const F l = minimum(maximum(dl, zero), low_rise), h = minimum(maximum(dh, zero), high_rise),
+              c0 = maximum(dc, zero), c1 = maximum(dc - cap_rise, zero);
       const F squares =
           product(product(l, l) - product(h, h), half_inverse) + product(product(c0, c0) - product(c1, c1), half_slope);
       return squares +

@@ -228,7 +228,8 @@ private:
   template <class F>
   static constexpr void for_portions(const executor_ref& executor, std::size_t count, const F& f) {
     constexpr std::size_t portion = 1024;
-    executor((count + portion - 1) / portion, [&](std::size_t k) { f(k * portion, minimum((k + 1) * portion, count)); });
+    executor((count + portion - 1) / portion,
+             [&](std::size_t k) { f(k * portion, minimum((k + 1) * portion, count)); });
   }
 };
 

@@ -319,7 +319,7 @@ using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ?
 // All tiles. What is seen is the method's affair, what becomes of it finish's.
 template <class T, class Method, class Depth>
 constexpr render_counts draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job,
-                                  const tile_finish<T>& finish, const executor_ref& executor) {
+                                   const tile_finish<T>& finish, const executor_ref& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
   triangle_bins& bins = job.lists.bins;
   bin_triangles(bins, job.batches, {job.mapping, grid, job.culling, job.skip}, executor);
