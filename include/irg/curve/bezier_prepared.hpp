@@ -135,7 +135,7 @@ struct expansion_place {
 template <class Curve, Floating T>
 IRG_INLINE constexpr expansion_place<T> nearest_expansion(const Curve& curve, T t) noexcept {
   const T pieces = static_cast<T>(static_cast<std::ptrdiff_t>(curve.pieces)), at = product(t, pieces);
-  const T within = lesser(greater(at + T(0.5), T(0.5)), pieces);  // t is within [0, 1], but who knows
+  const T within = minimum(maximum(at + T(0.5), T(0.5)), pieces);  // t is within [0, 1], but who knows
   const auto index = static_cast<std::ptrdiff_t>(within);
   const T node = static_cast<T>(index), off = at - node;
   return {curve.rows.data() + index * static_cast<std::ptrdiff_t>(curve.row_length), node, off + off};

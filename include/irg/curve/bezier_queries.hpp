@@ -43,8 +43,8 @@ constexpr vec<T, 2> hull_of_stretch(std::span<const vec<T, 1>> c, T from, T to, 
   bezier_split(left, curve_parameter<T>(to > T(0) ? from / to : T(0)), work, piece);
   T low = piece[0][0], high = low, largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    low = lesser(low, piece[i][0]), high = greater(high, piece[i][0]);
-    largest = greater(largest, magnitude(c[i][0]));
+    low = minimum(low, piece[i][0]), high = maximum(high, piece[i][0]);
+    largest = maximum(largest, magnitude(c[i][0]));
   }
   const T off = product(static_cast<T>(static_cast<int>(8 * n)),
                         product(largest, half_ulp_of_one<T>) + std::numeric_limits<T>::denorm_min());
@@ -68,7 +68,7 @@ constexpr T foot_coefficients(const R& points, const control_point<R>& p, std::s
   };
   T largest = 0;
   for (std::size_t i = 0; i <= n; ++i)
-    for (int axis = 0; axis < dimension; ++axis) largest = greater(largest, magnitude(offset(i, axis)));
+    for (int axis = 0; axis < dimension; ++axis) largest = maximum(largest, magnitude(offset(i, axis)));
   if (largest == T(0)) largest = T(1);  // the curve is p all along
   for (std::size_t k = 0; k < 2 * n; ++k) {
     T sum = 0, weights = 0, weight = 1;  // C(n, i) C(n - 1, k - i), up to a factor
@@ -117,20 +117,20 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
     T largest = 0, least = coordinate(ring_traits<R>::vertex(points, 0), axis), greatest = least;
     for (std::size_t i = 0; i < count; ++i) {
       c[i] = {coordinate(ring_traits<R>::vertex(points, i), axis)};
-      largest = greater(largest, magnitude(c[i][0]));
-      least = lesser(least, c[i][0]), greatest = greater(greatest, c[i][0]);
+      largest = maximum(largest, magnitude(c[i][0]));
+      least = minimum(least, c[i][0]), greatest = maximum(greatest, c[i][0]);
       if (!is_finite(c[i][0])) largest = std::numeric_limits<T>::infinity();
     }
     auto& from = low[static_cast<std::size_t>(axis)];
     auto& to = high[static_cast<std::size_t>(axis)];
-    from = lesser(c[0][0], c[count - 1][0]), to = greater(c[0][0], c[count - 1][0]);
+    from = minimum(c[0][0], c[count - 1][0]), to = maximum(c[0][0], c[count - 1][0]);
     if (!is_finite(largest)) from = (std::numeric_limits<T>::lowest)(), to = (std::numeric_limits<T>::max)();
     if (count < 3 || !is_finite(largest)) continue;
     for (std::size_t i = 0; i + 1 < count; ++i) slopes[i] = {detail::half_difference(c[i + 1][0], c[i][0])};
     const T off = product(largest, std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 4;
     bernstein_roots(std::span<const vec<T, 1>>(slopes), off, work, [&](const zero_stretch<T>& z) {
       const auto hull = detail::hull_of_stretch(std::span<const vec<T, 1>>(c), z.from, z.to, scratch.last(3 * count));
-      from = lesser(from, greater(hull.x, least)), to = greater(to, lesser(hull.y, greatest));
+      from = minimum(from, maximum(hull.x, least)), to = maximum(to, minimum(hull.y, greatest));
     });
   }
   return {generate_coordinates<point<T, dimension>>([&](int i) { return low[static_cast<std::size_t>(i)]; }),
@@ -170,7 +170,7 @@ constexpr bool bezier_line_intersections(const R& points, const control_point<R>
     const T x = product(detail::half_difference(coordinate(p, 0), coordinate(a, 0)), T(0.5));
     const T y = product(detail::half_difference(coordinate(p, 1), coordinate(a, 1)), T(0.5));
     scratch[k] = {difference_of_products(along->x, y, along->y, x)};
-    largest = greater(largest, magnitude(x) + magnitude(y));
+    largest = maximum(largest, magnitude(x) + magnitude(y));
   }
   const T off = product(largest, 8 * std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 8;
   bernstein_roots(std::span<const vec<T, 1>>(scratch.first(count)), off, scratch.subspan(count, 3 * count), sink);
@@ -201,7 +201,7 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
   T largest = 0;
   for (std::size_t i = 0; i < count; ++i)
     for (int axis = 0; axis < size_of<P>; ++axis)
-      largest = greater(largest, magnitude(detail::half_difference(coordinate(ring_traits<R>::vertex(points, i), axis),
+      largest = maximum(largest, magnitude(detail::half_difference(coordinate(ring_traits<R>::vertex(points, i), axis),
                                                                    coordinate(p, axis))));
   const bool is_large = largest > (std::numeric_limits<T>::max)() / 8;
   const auto distance = [&](T t) {

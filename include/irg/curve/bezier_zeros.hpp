@@ -118,7 +118,7 @@ constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::typ
   bool is_sound = is_finite(uncertainty);
   for (const auto& c : coefficients) {
     is_sound = is_sound && is_finite(c[0]);
-    largest = greater(largest, magnitude(c[0]));
+    largest = maximum(largest, magnitude(c[0]));
   }
   if (!is_sound) {
     sink(zero_stretch<T>{0, 1, 0, 0});

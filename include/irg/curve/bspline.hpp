@@ -47,6 +47,7 @@ template <Floating T, int Degree>
 struct bspline_values {
   std::size_t first = 0;
   std::array<T, static_cast<std::size_t>(Degree) + 1> value{};
+  bool operator==(const bspline_values&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -226,7 +227,7 @@ constexpr void make_sum_one(V& value) noexcept {
     error = error + ((sum - (s - part)) + (next - part));
     sum = s;
     largest = select(most < next, index(i), largest);  // no jumps: which one it is changes from place to place
-    most = high_of(most, next);
+    most = maximum(most, next);
   }
   const F lacking = (lanes<F>::broadcast(1) - sum) - error;
   for (std::size_t i = 0; i < value.size(); ++i) value[i] = value[i] + select(largest == index(i), lacking, zero);

@@ -140,7 +140,7 @@ constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degre
     if (!is_finite(places[k])) return {T(0), bspline_fit_status::not_finite};
     for (int axis = 0; axis < size_of<P>; ++axis) {
       if (!is_finite(coordinate(points[k], axis))) return {T(0), bspline_fit_status::not_finite};
-      largest = greater(largest, magnitude(coordinate(points[k], axis)));
+      largest = maximum(largest, magnitude(coordinate(points[k], axis)));
     }
     if ((k > 0 && places[k] < places[k - 1]) || places[k] < knots.first() || places[k] > knots.last())
       return {T(0), bspline_fit_status::not_rising};

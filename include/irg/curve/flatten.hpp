@@ -69,10 +69,10 @@ template <class IsWithin, class Sink>
 constexpr void each_longest_stretch(int end, int parts, const IsWithin& is_within, Sink&& sink) {
   int stride = end;
   for (int at = 0; at < end;) {
-    int good = at, bad = lesser(at + stride, end);  // from the last stretch's length up, then halving
+    int good = at, bad = minimum(at + stride, end);  // from the last stretch's length up, then halving
     while (good < end && is_within(at, bad)) {
       good = bad;
-      bad = lesser(at + 2 * (bad - at), end);
+      bad = minimum(at + 2 * (bad - at), end);
     }
     while (good < end && bad - good > 1 + (good - at) / parts) {
       const int middle = good + (bad - good) / 2;
