@@ -225,7 +225,8 @@ template <ControlPoints R, ControlPoints S,
           CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
   requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
 constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
-    const R& first, const S& second, const std::type_identity_t<meeting_search<scalar_of<control_point<R>>>>& search,
+    const R& first, const S& second,
+    const std::type_identity_t<bezier_intersection_options<scalar_of<control_point<R>>>>& search,
     std::span<curve_meeting<scalar_of<control_point<R>>>> room, Workspace&& workspace = Workspace{}) {
   const std::size_t count = ring_traits<R>::size(first) + ring_traits<S>::size(second);
   return bezier_intersections(first, second, search, room,
