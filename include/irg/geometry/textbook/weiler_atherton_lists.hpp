@@ -35,7 +35,7 @@ struct listed_crossing {
   constexpr bool operator==(const listed_crossing&) const = default;
 };
 
-/// The lists of the subject (0) and of the clip polygon (1), one for each ring, and all crossings, if the status is `ok`.
+/// The lists of the subject (0) and of the clip polygon (1), one for each ring, and all crossings, if status is `ok`.
 template <Floating T>
 struct weiler_atherton_lists {
   weiler_atherton_status status = weiler_atherton_status::ok;
