@@ -47,7 +47,7 @@ inline void draw_part(picture& p, const irg::screen_edge& e, const irg::edge_par
   if (hidden.a == 0) return;
   const double dash = 3, length = irg::length(b - a);
   for (double s = 0; s < length; s += 2 * dash)
-    irg::draw_line_aa(p, a + (b - a) * (s / length), a + (b - a) * (irg::lesser(s + dash, length) / length), hidden,
+    irg::draw_line_aa(p, a + (b - a) * (s / length), a + (b - a) * (irg::minimum(s + dash, length) / length), hidden,
                       {.width = 230});
 }
 

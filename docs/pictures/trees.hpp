@@ -80,7 +80,7 @@ inline picture parts() {
     const double left = side * 315.0;
     for (const corners& t : slats)
       area(p, {{t[0].x + left, t[0].y}, {t[1].x + left, t[1].y}, {t[2].x + left, t[2].y}}, blue);
-    irg::bvh_config config{side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::spatial_splits};
+    irg::bvh_options config{side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::spatial_splits};
     config.spare = 4;
     const irg::triangle_bvh<double> tree(std::span<const corners>{slats}, config);
     for (const irg::bvh_node& n : tree.tree().nodes)
@@ -127,7 +127,7 @@ inline picture through() {
         const irg::vec<double, 3> n = irg::normalized(irg::cross(t[1] - t[0], t[2] - t[0]));
         const double light = irg::dot(n, irg::normalized(irg::vec<double, 3>{-0.5, 0.7, 0.6}));
         const auto shade = [&](double most) {
-          return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamp(light, 0.0, 1.0)));
+          return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamped(light, 0.0, 1.0)));
         };
         p(x, y) = {shade(232), shade(168), shade(96), 255};
       }

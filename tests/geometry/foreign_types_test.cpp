@@ -118,12 +118,12 @@ std::map<std::string, bool> calls(const V& values) {
   call("cross_products", FOREIGN_CALL(irg::cross_products(v.ring3, v.ring3, std::span(v.space))));
   call("normalize_vectors", FOREIGN_CALL(irg::normalize_vectors(v.ring3, std::span(v.space))));
   call("normalize_vectors_fast", FOREIGN_CALL(irg::normalize_vectors_fast(v.ring3, std::span(v.space))));
-  call("transform_points", FOREIGN_CALL(irg::transform_points(irg::identity<double, 4>(), v.ring3, v.space)));
-  call("transform_vectors", FOREIGN_CALL(irg::transform_vectors(irg::identity<double, 4>(), v.ring3, v.space)));
+  call("transform_points", FOREIGN_CALL(irg::transform_points(irg::identity_matrix<double, 4>(), v.ring3, v.space)));
+  call("transform_vectors", FOREIGN_CALL(irg::transform_vectors(irg::identity_matrix<double, 4>(), v.ring3, v.space)));
   call("to_vec", FOREIGN_CALL(irg::to_vec(v.b3)));
   call("to_point", FOREIGN_CALL(irg::to_point(v.b3)));
-  call("transform_point", FOREIGN_CALL(irg::transform_point(irg::identity<double, 4>(), v.b3)));
-  call("transform_vector", FOREIGN_CALL(irg::transform_vector(irg::identity<double, 4>(), v.b3)));
+  call("transform_point", FOREIGN_CALL(irg::transform_point(irg::identity_matrix<double, 4>(), v.b3)));
+  call("transform_vector", FOREIGN_CALL(irg::transform_vector(irg::identity_matrix<double, 4>(), v.b3)));
   call("translation", FOREIGN_CALL(irg::translation(v.b3)));
   call("scaling", FOREIGN_CALL(irg::scaling(v.c3)));
   call("rotation", FOREIGN_CALL(irg::rotation(v.c3, 0.5)));
@@ -219,7 +219,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("newell_normal", FOREIGN_CALL(irg::newell_normal(v.ring3)));
   call("shape_extrusion", FOREIGN_CALL(irg::shape_extrusion(v.ring, 2)));
   call("seen_through_both", FOREIGN_CALL(irg::seen_through_both(v.g3, v.ring3, v.ring3)));
-  call("project_vertices", FOREIGN_CALL(irg::project_vertices(v.ring3, irg::identity<float, 4>(), v.mapping)));
+  call("project_vertices", FOREIGN_CALL(irg::project_vertices(v.ring3, irg::identity_matrix<float, 4>(), v.mapping)));
   call("polygons_overlap", FOREIGN_CALL(irg::polygons_overlap(v.ring, v.ring)));
   call("convex_polygons_overlap", FOREIGN_CALL(irg::convex_polygons_overlap(v.ring, v.ring)));
   call("triangulate_ear_clipping", FOREIGN_CALL(irg::triangulate_ear_clipping(v.ring)));
@@ -420,7 +420,7 @@ TEST_CASE("foreign types: project_vertices takes positions of other types, conve
   const std::vector<irg::point<float, 3>> own{{0, 0, 0.5f}, {0.25f, -0.5f, 0.125f}, {7, 0, 0.1f}};
   const std::vector<plain3> others{{0, 0, 0.5}, {0.25, -0.5, 0.125}, {7, 0, static_cast<double>(0.1f)}};
   const auto mapping = irg::map_to_screen<float>(640, 480);
-  const auto to_clip = irg::identity<float, 4>();
+  const auto to_clip = irg::identity_matrix<float, 4>();
   const auto expected = irg::project_vertices<float>(std::span<const irg::point<float, 3>>(own), to_clip, mapping);
   const auto in_place = irg::project_vertices(own, to_clip, mapping);
   irg::projected_vertices<float> converted;

@@ -211,7 +211,7 @@ TEST_CASE("bsp_scene_painter: in constant evaluation") {
     const P v[] = {{-1, -1, 0.25}, {1, -1, 0.25}, {-1, 1, 0.75}, {-1, -1, 0.5}, {1, -1, 0.5}, {-1, 1, 0.5}};
     const irg::triangle_indices t[] = {{{0, 1, 2}}, {{3, 4, 5}}};
     const irg::bsp_tree_3d<double> tree(v, t, {.candidates = 1});
-    const view_of_space view{irg::identity<double, 4>(), irg::map_to_screen<double>(8, 8)};
+    const view_of_space view{irg::identity_matrix<double, 4>(), irg::map_to_screen<double>(8, 8)};
     std::vector<irg::screen_face> faces;
     for (std::uint32_t i = 0; i < 2; ++i) {
       const irg::hpoint<double, 3> c[3] = {view.to_clip * v[3 * i], view.to_clip * v[3 * i + 1],

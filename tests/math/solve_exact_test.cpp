@@ -127,10 +127,10 @@ TEST_CASE_TEMPLATE("solve_exact: ties go to even, also where subnormal numbers a
   const int count = test::trials(10'000);
   int wrong = 0, ties = 0, subnormal_ties = 0, too_large = 0;
   for (int i = 0; i < count; ++i) {
-    mat<T, 3, 3> a = irg::identity<T, 3>(), undo = a;
+    mat<T, 3, 3> a = irg::identity_matrix<T, 3>(), undo = a;
     for (int k = 0; k < 4; ++k) {
       const int from = static_cast<int>(r.integer(0, 2)), to = (from + 1 + k % 2) % 3;
-      mat<T, 3, 3> shear = irg::identity<T, 3>(), back = shear;
+      mat<T, 3, 3> shear = irg::identity_matrix<T, 3>(), back = shear;
       shear(to, from) = static_cast<T>(r.integer(-3, 3));
       back(to, from) = -shear(to, from);
       a = shear * a;

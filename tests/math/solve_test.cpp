@@ -25,6 +25,12 @@ constexpr double inf = std::numeric_limits<double>::infinity(), none = std::nume
 
 }  // namespace
 
+TEST_CASE("solve_gauss: what comes out is a value") {
+  using R = rational;
+  CHECK_BOTH(solve_gauss(mat<R, 2, 3>{{{2, 0, 6}, {0, 1, 4}}}) == solve_gauss(mat<R, 2, 3>{{{1, 0, 3}, {0, 1, 4}}}));
+  CHECK_BOTH(solve_gauss(mat<R, 2, 3>{{{2, 0, 6}, {0, 1, 4}}}) != solve_gauss(mat<R, 2, 3>{{{1, 0, 3}, {0, 1, 5}}}));
+}
+
 TEST_CASE("solve_gauss: the course's exercise 2, and Hank's values") {
   using R = rational;
   constexpr auto course = solve_gauss(rows3<R>{{{1, 1, 1, 6}, {-1, -2, 1, -2}, {2, 1, 3, 13}}});

@@ -2,6 +2,7 @@
 #include <irg/mesh/mesh.hpp>
 
 #include <array>
+#include <set>
 #include <vector>
 
 #include "support/check_both.hpp"
@@ -42,6 +43,16 @@ constexpr bool closed(const irg::mesh<int>& m) {
 }
 
 }  // namespace
+
+TEST_CASE("mesh_corner: ordered by position, normal, texture coordinate, and hashed") {
+  using corner = irg::mesh_corner;
+  CHECK_BOTH(
+      (corner{1, 9, 9} < corner{2, 0, 0} && corner{1, 1, 9} < corner{1, 2, 0} && corner{1, 1, 1} < corner{1, 1, 2}));
+  CHECK_BOTH(!(corner{1, 1, 1} < corner{1, 1, 1}));
+  std::set<std::size_t> hashes;
+  for (std::uint32_t i = 0; i < 8000; ++i) hashes.insert(std::hash<corner>{}({i % 20, i / 20 % 20, i / 400}));
+  CHECK(hashes.size() == 8000);
+}
 
 TEST_CASE("mesh: faces of different sizes share their positions") {
   CHECK_BOTH(irg::mesh_vertex_count(pyramid()) == 5);

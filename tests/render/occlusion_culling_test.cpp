@@ -263,9 +263,9 @@ TEST_CASE("occlusion culling: the mask of blocks against the depths that drawing
       for (int bx = 0; bx < m.across; ++bx) {
         const std::size_t b = m.at(bx, by);
         float farthest = 1;
-        for (int y = 8 * by; y < irg::lesser(8 * by + 8, height); ++y)
-          for (int x = 8 * bx; x < irg::lesser(8 * bx + 8, width); ++x) {
-            farthest = irg::lesser(depth(x, y), farthest);
+        for (int y = 8 * by; y < irg::minimum(8 * by + 8, height); ++y)
+          for (int x = 8 * bx; x < irg::minimum(8 * bx + 8, width); ++x) {
+            farthest = irg::minimum(depth(x, y), farthest);
             if ((m.layer[b] >> (y % 8 * 8 + x % 8) & 1) != 0) REQUIRE(depth(x, y) >= m.layer_key[b]);
           }
         REQUIRE(farthest >= m.farthest_key[b]);

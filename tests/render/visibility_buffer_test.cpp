@@ -42,7 +42,7 @@ struct batches_of {
 struct buffer {
   irg::image<std::uint32_t> ids;
   irg::image<float> depth;
-  irg::render_stats stats;
+  irg::render_counts stats;
 };
 
 template <class Order, class T, class E = irg::sequential>
@@ -118,7 +118,7 @@ TEST_CASE("draw_visibility: onto a buffer that is kept, later drawing wins only 
   irg::triangle_batch<double> second[1] = {b.batches[1]};
   second[0].first_number = 0;
   const std::span<const irg::triangle_batch<double>> first(b.batches.data(), 1);
-  const irg::depth_settings keep{face_culling::none, {}, irg::clearing::none};
+  const irg::draw_depth_options keep{face_culling::none, {}, irg::clearing::none};
   irg::draw_visibility({parts.ids, parts.depth}, irg::projected_triangles{first, b.mapping}, keep);
   irg::draw_visibility({parts.ids, parts.depth},
                        irg::projected_triangles{std::span<const irg::triangle_batch<double>>(second), b.mapping}, keep);

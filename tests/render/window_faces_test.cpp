@@ -151,7 +151,7 @@ TEST_CASE("hidden-surface methods: what covers nothing is not drawn, whatever a 
       irg::render(everywhere{2}, world, {beside.colour, beside.depth}, {.culling = irg::face_culling::none});
   CHECK(one.drawn > 0);
   CHECK(one.drawn < 1000);
-  CHECK(irg::render(nothing_at_all{}, irg::scene<double>{}, {nothing.colour, nothing.depth}) == irg::render_stats{});
+  CHECK(irg::render(nothing_at_all{}, irg::scene<double>{}, {nothing.colour, nothing.depth}) == irg::render_counts{});
 }
 
 TEST_CASE("hidden-surface methods: what lies in the far plane is not drawn, as by the z-buffer") {

@@ -232,7 +232,7 @@ TEST_CASE("bsp_tree_2d: of seven parallel segments the middle one divides, where
 }
 
 TEST_CASE(
-    "bsp_tree_2d: of up to eight segments the one divides whose sides differ least, cuts counted as bsp_choice says") {
+    "bsp_tree_2d: of up to eight segments the one divides whose sides differ least, cuts counted as bsp_options says") {
   test::random r(23);
   for (int trial = 0; trial < 400; ++trial) {
     std::vector<S> few;
@@ -242,7 +242,7 @@ TEST_CASE(
       const double ax = coordinate(), ay = coordinate(), bx = coordinate(), by = coordinate();
       if (ax != bx || ay != by) few.push_back({{ax, ay}, {bx, by}});
     }
-    const irg::bsp_choice choice{8, 32, static_cast<std::size_t>(r.integer(0, 5))};
+    const irg::bsp_options choice{8, 32, static_cast<std::size_t>(r.integer(0, 5))};
     const auto cost_of = [&](const S& line) {
       int left = 0, right = 0, cut = 0;
       for (const S& s : few) {

@@ -85,7 +85,7 @@ TEST_CASE("oblique: what is refused") {
   const auto status = [](oblique_depth<double> how, view_window<double> w, double n, double f, double z) {
     how.plane_z = z;
     const auto p = oblique_checked(how, w, n, f);
-    CHECK((p.status == ok || p.value == irg::identity<double, 4>()));
+    CHECK((p.status == ok || p.value == irg::identity_matrix<double, 4>()));
     return p.status;
   };
   for (const double bad : {not_a_number, inf, -inf}) {

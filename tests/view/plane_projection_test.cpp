@@ -182,7 +182,7 @@ TEST_CASE("shadow_matrix: what is between light and floor throws a shadow, nothi
 TEST_CASE("plane_projection: singular and hostile cases, each one classified") {
   const auto status = [](const plane<double>& o, const hpoint<double, 3>& eye) {
     const auto m = projection_onto_plane_checked(o, eye);
-    CHECK((m.status == ok || m.value == irg::identity<double, 4>()));
+    CHECK((m.status == ok || m.value == irg::identity_matrix<double, 4>()));
     return m.status;
   };
   constexpr plane<double> z0{0, 0, 1, 0};

@@ -48,5 +48,23 @@ template <class T>
   return {a.r + b.r, a.g + b.g, a.b + b.b};
 }
 
+/// Writes red, green, blue and, where there is any, opacity: "(255, 0, 0, 255)".
+template <class S, class P>
+  requires(std::same_as<P, rgba8> || std::same_as<P, bgra8> || std::same_as<P, rgb8> || std::same_as<P, bgr8>) &&
+          TextStream<S>
+constexpr S& operator<<(S& stream, const P& p) {
+  constexpr bool has_opacity = std::same_as<P, rgba8> || std::same_as<P, bgra8>;
+  return print_list(stream, has_opacity ? 4 : 3, [&](int i) {
+    if constexpr (has_opacity)
+      if (i == 3) return p.a;
+    return i == 0 ? p.r : i == 1 ? p.g : p.b;
+  });
+}
+template <class S, class T>
+  requires TextStream<S, T>
+constexpr S& operator<<(S& stream, const rgb<T>& c) {
+  return print_list(stream, 3, [&](int i) { return i == 0 ? c.r : i == 1 ? c.g : c.b; });
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -110,7 +110,7 @@ constexpr auto scale_of_sides(const P& a, const P& b, const P& c) noexcept {
   if constexpr (Floating<scalar_of<P>>) {
     double largest = 0;
     for (const vec<double, 3>& side : {scaled_way(a, b, 1.0), scaled_way(a, c, 1.0)})
-      for (int i = 0; i < 3; ++i) largest = greater(largest, magnitude(side[i]));
+      for (int i = 0; i < 3; ++i) largest = maximum(largest, magnitude(side[i]));
     return normalizing_power_of_two(largest);
   } else {
     return scalar_of<P>(1);
@@ -119,7 +119,7 @@ constexpr auto scale_of_sides(const P& a, const P& b, const P& c) noexcept {
 
 // Whether no coordinate of v * scale is beyond 2^900, found without overflow.
 IRG_INLINE constexpr bool stays_moderate(const vec<double, 3>& v, double scale) noexcept {
-  const double largest = greater(greater(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+  const double largest = maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
   return scale > 1 ? largest < 0x1p900 / scale : largest * scale < 0x1p900;
 }
 
@@ -282,7 +282,7 @@ template <Real T>
                                                  const std::type_identity_t<T>& x3) noexcept {
   const T value = product(x1, t.x) + product(x2, t.y) + product(x3, t.z);
   if (t.x < T(0) || t.y < T(0) || t.z < T(0)) return value;
-  return clamp(value, lesser(lesser(x1, x2), x3), greater(greater(x1, x2), x3));
+  return clamped(value, minimum(minimum(x1, x2), x3), maximum(maximum(x1, x2), x3));
 }
 
 IRG_REFUSES_VECTORS(barycentric);

@@ -54,7 +54,7 @@ template <SpaceRing R>
     for (std::size_t i = 0; i < n; ++i) {
       const auto p = ring_vertex(ring, i);
       for (int k = 0; k < 3; ++k)
-        largest = greater(largest, coordinate(p, k) < T(0) ? -coordinate(p, k) : coordinate(p, k));
+        largest = maximum(largest, coordinate(p, k) < T(0) ? -coordinate(p, k) : coordinate(p, k));
     }
     if constexpr (is_double)
       scale = largest > 0x1p450 ? 0x1p-600 : largest < 0x1p-450 ? 0x1p600 : 1.0;

@@ -44,6 +44,9 @@ template <Point P>
 struct numbered_point {
   P point;
   std::int64_t number;
+  IRG_APART constexpr bool operator==(const numbered_point& o) const {
+    return same_place(point, o.point) && number == o.number;
+  }
 };
 template <Point P>
 numbered_point(const P&, std::int64_t) -> numbered_point<P>;

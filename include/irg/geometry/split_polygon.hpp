@@ -35,6 +35,7 @@ template <PolygonVertex V>
 struct split_parts {
   split_side side = split_side::on;
   std::vector<std::vector<V>> front, back;
+  bool operator==(const split_parts&) const = default;
 };
 
 /// The vertices of a polygon in a container with size() and [].

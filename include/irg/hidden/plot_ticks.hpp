@@ -22,6 +22,7 @@ using plot_text = part_name;
 struct axis_tick {
   double value = 0;
   plot_text text{};
+  constexpr bool operator==(const axis_tick&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -57,7 +58,7 @@ inline namespace IRG_ABI {
 template <class Tick = axis_tick>
 [[nodiscard]] constexpr std::vector<Tick> axis_ticks(double low, double high, int most) {
   std::vector<Tick> ticks;
-  const double span = high - low, size = greater(magnitude(low), magnitude(high));
+  const double span = high - low, size = maximum(magnitude(low), magnitude(high));
   if (!(low <= high) || !(size <= 0x1.fffffffffffffp1023)) return ticks;
   if (low == high) {
     detail::add_tick(ticks, low);

@@ -19,6 +19,7 @@ struct edge_part {
   std::size_t edge;
   line_visibility visibility;
   double from, to;
+  constexpr bool operator==(const edge_part&) const = default;
 };
 
 /// The tests of Newell, Newell and Sancha by which P does not hide Q, the last of them where the extents of P and Q

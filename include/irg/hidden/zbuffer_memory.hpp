@@ -13,6 +13,7 @@ namespace irg {
 /// How many values a pixel must tell apart in each buffer; 0 and 1 need no memory.
 struct zbuffer_levels {
   std::uint64_t depth = 0, colours = 0, objects = 0;
+  constexpr bool operator==(const zbuffer_levels&) const = default;
 };
 
 /// Bits per pixel and bytes of one buffer. Rows and pixels follow each other without a gap.

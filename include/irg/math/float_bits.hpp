@@ -20,6 +20,7 @@ namespace irg {
 struct scaled_number {
   double significand;
   int exponent;
+  constexpr bool operator==(const scaled_number&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -102,7 +102,7 @@ inline namespace IRG_ABI {
 /// The n x n matrix that leaves everything where it is.
 /// needs   n >= 0
 template <Scalar T>
-[[nodiscard]] constexpr matrix<T> identity(int n) {
+[[nodiscard]] constexpr matrix<T> identity_matrix(int n) {
   return detail::filled_matrix<T>(n, n, [](int r, int c) { return r == c ? T(1) : T(0); });
 }
 
@@ -187,17 +187,17 @@ template <Real T>
   const int n = a.rows();
   if (n != a.columns()) return matrix_error::not_square;
   if (!detail::entries_finite<T>(a, n, n)) return matrix_error::not_finite;
-  matrix<T> left = a, right = identity<T>(n);
+  matrix<T> left = a, right = identity_matrix<T>(n);
   bool is_regular = detail::gauss_jordan<T>(left, right, n);
   if constexpr (Floating<T>) {
     // A pivot that overflows leaves zeros in `right` and a NaN in `left`: once more, nearer to the middle of the range.
     if (!detail::entries_finite<T>(left, n, n) || !detail::entries_finite<T>(right, n, n)) {
       T largest = T(0);
       for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c) largest = greater(detail::entry_size(a(r, c)), largest);
+        for (int c = 0; c < n; ++c) largest = maximum(detail::entry_size(a(r, c)), largest);
       const T scale = static_cast<T>(largest < static_cast<T>(sizeof(T) == 4 ? 0x1p32 : 0x1p512) ? 0x1p64 : 0x1p-64);
       left = multiply(a, scale);
-      right = identity<T>(n);
+      right = identity_matrix<T>(n);
       is_regular = detail::gauss_jordan<T>(left, right, n);
       right = multiply(right, scale);
     }

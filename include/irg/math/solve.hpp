@@ -27,6 +27,7 @@ struct system_solution {
 
   /// Whether there is one solution.
   IRG_INLINE constexpr explicit operator bool() const noexcept { return kind == solvability::unique; }
+  bool operator==(const system_solution&) const = default;
 };
 
 namespace detail {
@@ -79,7 +80,7 @@ constexpr eliminated eliminate_fully(M& a, int n, int* column, T* largest_term, 
       const T f = a(r, k) / pivot;
       if constexpr (Floating<T>) {  // the f of a row that has been changed is uncertain by u * first / pivot
         const T part = is_changed[r] != 0 ? first / entry_size(pivot) : entry_size(f);
-        largest_term[r] = greater(product(largest_term[k], part), largest_term[r]);
+        largest_term[r] = maximum(product(largest_term[k], part), largest_term[r]);
         if (f != T(0)) is_changed[r] = 1;
       }
       subtract_row(a, r, f, k, k, n + 1);
@@ -210,7 +211,7 @@ constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, c
       size = size + magnitude(term);
     }
     all &= magnitude(rest) <= product(size, 4 * 0x1p-53);
-    least = lesser(size, least);
+    least = minimum(size, least);
   }
   return all && (least >= 0x1p-400 || !has_small());
 }

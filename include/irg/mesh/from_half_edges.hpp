@@ -17,6 +17,7 @@ namespace irg {
 struct half_edge_shells {
   std::vector<std::uint32_t> of_face;  // from 0; none for faces that are no more
   std::uint32_t count = 0;
+  constexpr bool operator==(const half_edge_shells&) const = default;
 };
 
 /// The numbers of elements of a boundary representation.

@@ -45,6 +45,7 @@ struct edge_walk {
 /// The rows first to last - 1.
 struct row_range {
   std::int64_t first = 0, last = 0;
+  constexpr bool operator==(const row_range&) const = default;
 };
 
 inline namespace IRG_ABI {

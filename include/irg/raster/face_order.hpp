@@ -188,8 +188,8 @@ IRG_NOINLINE constexpr int exact_sign(const Plane& a, const Plane& b) noexcept {
     for (const float d : m->depth) {
       const integer_parts<float> x = integer_parts_of(d);
       if (x.significand == 0) continue;
-      lowest = lesser(lowest, x.place);
-      highest = greater(highest, x.place);
+      lowest = minimum(lowest, x.place);
+      highest = maximum(highest, x.place);
     }
   return highest - lowest <= 37 ? integer_sign<1>(a, b, lowest) : integer_sign<5>(a, b, lowest);
 }
@@ -216,9 +216,9 @@ IRG_INLINE constexpr subpixel centre_of(int x, int y) noexcept {
 // the area is below 256: then edge functions are 0 in whole pixels, and the depth is NaN, which decides nothing.
 IRG_INLINE constexpr bool rounded_depths_decide(const face_sample& a, const face_sample& b) noexcept {
   constexpr float factor = 0x1.4p-20f, least = 0x1p-40f;
-  if (!(lesser(a.face.depth_low, b.face.depth_low) >= 0.0f)) return false;
-  const float difference = a.depth - b.depth, largest = greater(a.depth, b.depth);
-  return largest >= least && greater(difference, -difference) > largest * factor;
+  if (!(minimum(a.face.depth_low, b.face.depth_low) >= 0.0f)) return false;
+  const float difference = a.depth - b.depth, largest = maximum(a.depth, b.depth);
+  return largest >= least && maximum(difference, -difference) > largest * factor;
 }
 
 template <DepthOrder Order>

@@ -23,6 +23,7 @@ struct screen_face {
   triangle_coverage coverage;
   float depth_low = 0.0f, depth_high = 0.0f;  // no depth of the face lies outside
   std::uint32_t number = no_face;
+  constexpr bool operator==(const screen_face&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -38,8 +39,8 @@ inline namespace IRG_ABI {
     constexpr std::int32_t limit = snap_limit * one_pixel;
     IRG_EXPECTS(v.position.x >= -limit && v.position.x <= limit && v.position.y >= -limit && v.position.y <= limit);
     IRG_EXPECTS(v.depth - v.depth == 0.0f);
-    f.depth_low = lesser(f.depth_low, v.depth);
-    f.depth_high = greater(f.depth_high, v.depth);
+    f.depth_low = minimum(f.depth_low, v.depth);
+    f.depth_high = maximum(f.depth_high, v.depth);
   }
   return f;
 }

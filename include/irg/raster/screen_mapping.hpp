@@ -18,6 +18,7 @@ template <Floating T>
 struct screen_mapping {
   T half_width, half_height, centre_x, centre_y;
   clip_volume<T> picture, guard;
+  bool operator==(const screen_mapping&) const = default;
 };
 
 /// The planes that a vertex is beyond: the picture's borders with the depth planes, and the same with the sides widened
@@ -66,7 +67,7 @@ template <Floating T>
   const T most = T(0x1p126) / up;
   return {{snap(x), snap(y)},
           converted<float>(product(p.z * up, inverse)),
-          converted<float>(greater(lesser(inverse, most) * up, T(0x1p-126)))};
+          converted<float>(maximum(minimum(inverse, most) * up, T(0x1p-126)))};
 }
 
 /// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.

@@ -33,6 +33,7 @@ struct screen_vertex {
   subpixel position;
   float depth = 0.0f;
   float inverse_w = 1.0f;
+  constexpr bool operator==(const screen_vertex&) const = default;
 };
 
 /// Points of ints that name a cell without being one: glm::ivec2, cv::Point, std::array<int, 2>, structs of x and y.

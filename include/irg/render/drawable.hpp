@@ -21,6 +21,7 @@ struct drawable {
   std::vector<vec<T, 3>> normals;  // zero where the mesh gives no direction
   std::vector<triangle_indices> triangles;
   std::vector<std::uint32_t> face_of;
+  bool operator==(const drawable&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -20,10 +20,11 @@ namespace irg {
 /// picture would be of more than 65536 of them.
 template <Floating T>
 struct traced_options {
-  trace_limits<T> limits{};
+  trace_options<T> limits{};
   int samples = 1;
   face_culling culling = face_culling::back;
   picture_colours colours{};  // of which the background is seen
+  bool operator==(const traced_options&) const = default;
 };
 
 /// An executor that tells, after each task, that it is done: for a bar that shows how far long work has come. It calls
@@ -50,7 +51,7 @@ namespace detail::inline IRG_ABI {
 template <class T>
 struct traced_shading {
   const ray_world<T>& world;
-  const trace_limits<T>& limits;
+  const trace_options<T>& limits;
   point<T, 3> eye;
 
   struct pixel_shader {
@@ -101,11 +102,11 @@ inline namespace IRG_ABI {
 /// source  Whitted 1980
 template <Floating T, RowRaster Colour, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8>
-constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic,
-                                     Colour& colour, const traced_options<T>& options = {}, const E& executor = {}) {
+constexpr render_counts render_traced(const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic,
+                                      Colour& colour, const traced_options<T>& options = {}, const E& executor = {}) {
   if (width_of(colour) == 0 || height_of(colour) == 0) return {};
-  const int longer = greater(width_of(colour), height_of(colour));
-  const int samples = clamp(lesser(options.samples, 65536 / longer), 1, 16);
+  const int longer = maximum(width_of(colour), height_of(colour));
+  const int samples = clamped(minimum(options.samples, 65536 / longer), 1, 16);
   const int width = width_of(colour) * samples, height = height_of(colour) * samples;
   prepared_scene<T> ready = prepare_scene(world);
   std::vector<traced_body<T>> bodies;
@@ -127,7 +128,7 @@ constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t
   image<rgb<float>> light(width, height);
   image<float> depth(width, height);
   const detail::traced_shading<T> shading{rays, options.limits, viewpoint(world.view)};
-  const render_stats stats =
+  const render_counts stats =
       shade_batches<nearer_is_greater>(render_target{light, depth}, projected_triangles<T>{batches, mapping}, shading,
                                        {.culling = options.culling,
                                         .clear = clearing::before_drawing,

@@ -14,7 +14,7 @@ namespace irg::inline IRG_ABI {
 /// needs   a scene as render needs it
 /// cost    as bsp_tree_3d
 template <Floating T>
-[[nodiscard]] constexpr bsp_tree_3d<T> make_scene_bsp(const scene<T>& world, const bsp_choice& choice = {}) {
+[[nodiscard]] constexpr bsp_tree_3d<T> make_scene_bsp(const scene<T>& world, const bsp_options& choice = {}) {
   std::vector<point<T, 3>> vertices;
   std::vector<triangle_indices> triangles;
   for (const object<T>& o : world.objects) {
@@ -31,8 +31,8 @@ template <Floating T>
 /// gives   the picture of `render`, but for the pixels that bsp_scene_painter names. No object is skipped whole
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const bsp_tree_3d<T>& tree, const scene<T>& world, render_target<Colour, Depth> target,
-                              render_options options = {}, const E& executor = {}) {
+constexpr render_counts render(const bsp_tree_3d<T>& tree, const scene<T>& world, render_target<Colour, Depth> target,
+                               render_options options = {}, const E& executor = {}) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   options.skip.frustum = skipping::off;  // objects that are left out are not counted

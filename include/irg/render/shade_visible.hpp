@@ -40,9 +40,9 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
           RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
-constexpr render_stats shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
-                                     const MakeShader& make_shader,
-                                     const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+constexpr render_counts shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
+                                      const MakeShader& make_shader,
+                                      const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   const detail::ids_as_they_are method{};
   draw_workspace own;
   auto&& colour = detail::rows_of(target.colour);

@@ -56,8 +56,8 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image<std::uint32_t>,
           RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
-                                       const depth_settings& settings = {}, const E& executor = {}) {
+constexpr render_counts draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
+                                        const draw_depth_options& settings = {}, const E& executor = {}) {
   draw_workspace own;
   auto&& ids = detail::rows_of(target.colour);
   auto&& depth = detail::rows_of(target.depth);

@@ -74,6 +74,7 @@ struct solid_boolean_result {
   std::vector<solid_face_origin> faces{};  // of each face
   std::vector<solid_corner_origin> corners{};  // of each position
   solid_boolean_counts counts{};  // where status is done
+  bool operator==(const solid_boolean_result&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -215,7 +216,7 @@ constexpr bool is_straight(Seams& s, std::uint32_t p) {
   std::uint32_t low = no_index, high = no_index, triangle = no_index;
   for (const auto& [polygon, triangles, is_closed] : s.sectors) {
     if (is_closed) continue;
-    const std::uint32_t a = lesser(polygon.front(), polygon.back()), b = greater(polygon.front(), polygon.back());
+    const std::uint32_t a = minimum(polygon.front(), polygon.back()), b = maximum(polygon.front(), polygon.back());
     if (low != no_index && (low != a || high != b)) return false;
     if (a == b || polygon.size() < 3) return false;
     if (low == no_index) triangle = s.surface[triangles.front()].source;
@@ -309,7 +310,7 @@ template <class Bodies>
 constexpr body_shells find_shells(const Bodies& b) {
   const auto side_of = [&](std::uint32_t t, std::uint32_t k, std::uint32_t triangle) {
     const std::uint32_t v = b.triangles[t].v[k], w = b.triangles[t].v[(k + 1) % 3];
-    return triangle_side{lesser(v, w), greater(v, w), triangle};
+    return triangle_side{minimum(v, w), maximum(v, w), triangle};
   };
   std::vector<triangle_side> rims;
   for (std::uint32_t t = 0; t < b.triangles.size(); ++t)
@@ -424,7 +425,7 @@ constexpr bool are_cuts_closed(const Cut& cut) {
   std::vector<walk> walks;
   for (const auto& [from, to, triangle] : cut.cuts)
     if (const bool turned = cut.directions[triangle] < 0; cut.directions[triangle] != 0)
-      walks.push_back({lesser(from, to), greater(from, to), (from < to) != turned ? 1 : -1});
+      walks.push_back({minimum(from, to), maximum(from, to), (from < to) != turned ? 1 : -1});
   std::sort(walks.begin(), walks.end(),
             [](const walk& a, const walk& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   int sum = 0;

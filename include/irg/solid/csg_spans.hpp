@@ -60,9 +60,9 @@ public:
   ///         are sorted, and the tree is asked at each
   /// source  Hoffmann 1989; Edelsbrunner and Muecke 1990 (the move)
   [[nodiscard]] constexpr std::vector<solid_span<T>> along(const ray<T, 3>& r) const {
-    if (is_empty(r)) return {};
+    if (r.empty()) return {};
     return within({wide(r.origin), {widened(r.direction.x), widened(r.direction.y), widened(r.direction.z)}},
-                  greater(r.low, T(0)), r.high);
+                  maximum(r.low, T(0)), r.high);
   }
 
   /// The stretches of the upright line at (x, y), by their heights.
@@ -105,7 +105,7 @@ private:
     each_corner([&](const place& p) { box.add(p); });
     ball b{};
     for (int i = 0; i < 3; ++i) b.centre[i] = box.low[i] * 0.5 + box.high[i] * 0.5;
-    each_corner([&](const place& p) { b.radius2 = greater(b.radius2, dot(p - b.centre, p - b.centre)); });
+    each_corner([&](const place& p) { b.radius2 = maximum(b.radius2, dot(p - b.centre, p - b.centre)); });
     return b;
   }
   // False where rounding leaves it open: the distance, times the direction's length, is off by less than a part in 2^48

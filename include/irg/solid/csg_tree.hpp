@@ -20,6 +20,7 @@ struct csg_step {
   std::uint32_t body = none;  // of bodies; none for an operation
   boolean_operation operation{};
   std::uint32_t first = none, second = none;  // steps
+  constexpr bool operator==(const csg_step&) const = default;
 };
 
 /// A tree of operations as a value.
@@ -34,6 +35,7 @@ struct csg_tree {
   IRG_APART constexpr explicit csg_tree(mesh<T> body) : steps{{0, {}, csg_step::none, csg_step::none}} {
     bodies.push_back(std::move(body));
   }
+  bool operator==(const csg_tree&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

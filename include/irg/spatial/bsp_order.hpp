@@ -31,19 +31,22 @@ enum class bsp_order { back_to_front, front_to_back };
 /// How the line or plane is chosen that divides a cell: of some candidates, spread over what is left, the one that cuts
 /// the fewest and leaves the sides most alike, judged by some of them.
 /// shape   one candidate is the first one left, as in the textbook
-struct bsp_choice {
+struct bsp_options {
   std::size_t candidates = 8, judges = 32;
   std::size_t cut_costs = 4;  // as much as so many more on one side than on the other
+  constexpr bool operator==(const bsp_options&) const = default;
 };
 
 /// What lies at the two sides of a line or plane: cells of bsp_open_cells, or bsp_none.
 struct bsp_halves {
   std::uint32_t front = bsp_none, back = bsp_none;
+  constexpr bool operator==(const bsp_halves&) const = default;
 };
 
 /// How many items lie where: in front of a line or plane, behind it, and on both sides.
 struct bsp_sides {
   std::size_t front = 0, back = 0, cut = 0;
+  constexpr bool operator==(const bsp_sides&) const = default;
 };
 
 /// What some items lie in: a box, and the slab low <= normal . p <= high across the direction in which they are thin.
@@ -70,7 +73,7 @@ namespace detail::inline IRG_ABI {
 template <int N>
 constexpr vec<double, N> scaled_normal(const vec<double, N>& v, double least) noexcept {
   double most = 0;
-  for (int k = 0; k < N; ++k) most = greater(most, magnitude(v[k]));
+  for (int k = 0; k < N; ++k) most = maximum(most, magnitude(v[k]));
   vec<double, N> n{};
   if (most > least)
     for (int k = 0; k < N; ++k) n[k] = v[k] / most;
@@ -95,15 +98,15 @@ constexpr box<double, 1> values_within(const linear_form<N>& f, const bsp_bounds
   }
   const double share = square > 0 ? along / square : 0.0;
   const double first = product(share, b.low - start), last = product(share, b.high - start);
-  double low = lesser(first, last), high = greater(first, last);
-  error = product(magnitude(share), error + greater(magnitude(b.low), magnitude(b.high)));
+  double low = minimum(first, last), high = maximum(first, last);
+  error = product(magnitude(share), error + maximum(magnitude(b.low), magnitude(b.high)));
   for (int k = 0; k < N; ++k) {
     const double taken = product(share, b.normal[k]), left = f.slope[k] - taken;
     const double from = b.around.low[k] - f.origin[k], to = b.around.high[k] - f.origin[k];
     const double p = product(left, from), q = product(left, to);
-    low += lesser(p, q);
-    high += greater(p, q);
-    error += product(f.size[k] + magnitude(taken), greater(magnitude(from), magnitude(to)));
+    low += minimum(p, q);
+    high += maximum(p, q);
+    error += product(f.size[k] + magnitude(taken), maximum(magnitude(from), magnitude(to)));
   }
   error = product(error, 0x1p-46) + 0x1p-800;
   return {{low - error}, {high + error}};
@@ -135,16 +138,16 @@ template <int N, class Points>
   bsp_bounds<N> b{{points[0], points[0]}};
   for (const point<double, N>& p : points)
     for (int k = 0; k < N; ++k) {
-      b.around.low[k] = lesser(b.around.low[k], p[k]);
-      b.around.high[k] = greater(b.around.high[k], p[k]);
+      b.around.low[k] = minimum(b.around.low[k], p[k]);
+      b.around.high[k] = maximum(b.around.high[k], p[k]);
     }
   b.normal = detail::scaled_normal(normal, 0.0);
   const linear_form<N> f = detail::form_along(b.normal);
   bool any = false;
   for (const point<double, N>& p : points) {
     const box<double, 1> at = detail::values_within(f, bsp_bounds<N>{{p, p}});
-    b.low = any ? lesser(b.low, at.low[0]) : at.low[0];
-    b.high = any ? greater(b.high, at.high[0]) : at.high[0];
+    b.low = any ? minimum(b.low, at.low[0]) : at.low[0];
+    b.high = any ? maximum(b.high, at.high[0]) : at.high[0];
     any = true;
   }
   return b;
@@ -155,16 +158,16 @@ template <int N>
 [[nodiscard]] constexpr bsp_bounds<N> bounds_of_both(const bsp_bounds<N>& a, const bsp_bounds<N>& b) noexcept {
   bsp_bounds<N> both = a;
   for (int k = 0; k < N; ++k) {
-    both.around.low[k] = lesser(a.around.low[k], b.around.low[k]);
-    both.around.high[k] = greater(a.around.high[k], b.around.high[k]);
+    both.around.low[k] = minimum(a.around.low[k], b.around.low[k]);
+    both.around.high[k] = maximum(a.around.high[k], b.around.high[k]);
   }
   constexpr double cancelled = 0x1p-10;
   const bool turned = dot(a.normal, b.normal) < 0;  // of a normal either way serves
   both.normal = detail::scaled_normal(turned ? a.normal - b.normal : a.normal + b.normal, cancelled);
   const linear_form<N> f = detail::form_along(both.normal);
   const box<double, 1> first = detail::values_within(f, a), second = detail::values_within(f, b);
-  both.low = lesser(first.low[0], second.low[0]);
-  both.high = greater(first.high[0], second.high[0]);
+  both.low = minimum(first.low[0], second.low[0]);
+  both.high = maximum(first.high[0], second.high[0]);
   return both;
 }
 
@@ -282,7 +285,7 @@ private:
     if (a == bsp_none || b == bsp_none) return a == bsp_none ? b : a;
     const node &m = nodes_[a], &n = nodes_[b];
     return add_node(
-        {bounds_of_both(m.bounds, n.bounds), {a, b}, m.count + n.count, lesser(m.place, n.place), bsp_none});
+        {bounds_of_both(m.bounds, n.bounds), {a, b}, m.count + n.count, minimum(m.place, n.place), bsp_none});
   }
 
   // The tree of a run of items, halved along the longest side of the box round it.
@@ -291,8 +294,8 @@ private:
     box<double, N> around = items[begin].bounds.around;
     for (std::size_t i = begin + 1; i < end; ++i)
       for (int k = 0; k < N; ++k) {
-        around.low[k] = lesser(around.low[k], items[i].bounds.around.low[k]);
-        around.high[k] = greater(around.high[k], items[i].bounds.around.high[k]);
+        around.low[k] = minimum(around.low[k], items[i].bounds.around.low[k]);
+        around.high[k] = maximum(around.high[k], items[i].bounds.around.high[k]);
       }
     int axis = 0;
     for (int k = 1; k < N; ++k)

@@ -33,6 +33,7 @@ struct bsp_piece_2d {
 /// shape   left and right are nodes, or bsp_none
 struct bsp_node_2d {
   std::uint32_t segment = bsp_none, first = 0, last = 0, left = bsp_none, right = bsp_none;
+  constexpr bool operator==(const bsp_node_2d&) const = default;
 };
 
 /// The tree of some segments.
@@ -45,7 +46,7 @@ public:
   ///         sides are alike, and for walls around a convex room, each of which leaves all others on one side; segments
   ///         that cross each other make n^2 pieces at worst
   /// source  Fuchs, Kedem and Naylor 1980
-  IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
+  IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_options& choice = {})
       : segments_(segments.begin(), segments.end()) {
     IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
     bsp_open_cells<bsp_piece_2d, 2> cells;
@@ -164,7 +165,7 @@ private:
     }
     for (const entry& e : all)
       for (const point<T, 2>& p : {segments_[e.place].a, segments_[e.place].b})
-        if (greater(magnitude(widened(p[0])), magnitude(widened(p[1]))) > 0x1p200) scale_ = 0x1p-850;
+        if (maximum(magnitude(widened(p[0])), magnitude(widened(p[1]))) > 0x1p200) scale_ = 0x1p-850;
     for (entry& e : all) {
       const segment<T, 2>& s = segments_[e.place];
       const linear_form<2> line = form_of(s);
@@ -174,9 +175,9 @@ private:
   }
   template <class Cells>
   [[nodiscard]] IRG_APART constexpr std::uint32_t dividing_line(const Cells& cells, std::uint32_t pieces,
-                                                                const bsp_choice& choice) const {
-    const std::size_t n = cells.size(pieces), candidates = lesser(choice.candidates, n),
-                      judges = lesser(choice.judges, n);
+                                                                const bsp_options& choice) const {
+    const std::size_t n = cells.size(pieces), candidates = minimum(choice.candidates, n),
+                      judges = minimum(choice.judges, n);
     std::uint32_t best = cells.first(pieces).segment;
     if (candidates < 2) return best;
     std::vector<bsp_piece_2d> judge;
@@ -201,7 +202,7 @@ private:
     return best;
   }
   template <class Cells>
-  IRG_APART constexpr void divide(Cells& cells, const cell& c, std::vector<cell>& open, const bsp_choice& choice) {
+  IRG_APART constexpr void divide(Cells& cells, const cell& c, std::vector<cell>& open, const bsp_options& choice) {
     const auto here = static_cast<std::uint32_t>(nodes_.size());
     if (c.parent != bsp_none) (c.side > 0 ? nodes_[c.parent].left : nodes_[c.parent].right) = here;
     const std::uint32_t line = dividing_line(cells, c.pieces, choice);

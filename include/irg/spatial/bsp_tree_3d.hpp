@@ -33,7 +33,7 @@ public:
   ///         that go through each other make a piece at least for each point that three of them have in common
   /// source  Fuchs, Kedem and Naylor 1980
   IRG_APART constexpr bsp_tree_3d(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
-                                  const bsp_choice& choice = {}) {
+                                  const bsp_options& choice = {}) {
     detail::add_triangles(tree_, vertices, triangles, choice);
     fixed_ = detail::sizes_of(tree_);
   }
@@ -87,7 +87,7 @@ public:
   /// gives   the tree as it was where memory gives out
   /// cost    as building the tree, of these triangles alone
   IRG_APART constexpr void merge(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
-                                 const bsp_choice& choice = {}) {
+                                 const bsp_options& choice = {}) {
     struct undo {
       detail::growing_bsp_3d<T>* tree;
       detail::bsp_sizes before;
@@ -111,7 +111,7 @@ public:
   template <class Sink>
   IRG_APART constexpr void visit(const point<T, 3>& eye, bsp_order order, Sink&& sink) const {
     const double at[3] = {widened(eye[0]), widened(eye[1]), widened(eye[2])};
-    const double reach = greater(greater(magnitude(at[0]), magnitude(at[1])), magnitude(at[2]));
+    const double reach = maximum(maximum(magnitude(at[0]), magnitude(at[1])), magnitude(at[2]));
     walk(order, sink, [&](std::uint32_t i) {
       const int sure = tree_.steps[i].plane(at, reach).sign();
       return sure != 0 ? sure : detail::exact_side(tree_.data, tree_.data.nodes[i].plane, eye);

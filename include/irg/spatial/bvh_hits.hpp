@@ -43,7 +43,7 @@ IRG_INLINE constexpr bool meet_leaf(const bvh& tree, std::uint32_t leaf, const r
 
 template <class T>
 IRG_INLINE constexpr ray<T, 3> from_zero(ray<T, 3> r) noexcept {
-  r.low = greater(r.low, T(0));
+  r.low = maximum(r.low, T(0));
   return r;
 }
 

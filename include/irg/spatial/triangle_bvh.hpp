@@ -49,7 +49,7 @@ public:
   /// cost    as build_bvh; 160 bytes a triangle of floats, 270 of doubles. Spatial splits cut the triangles
   ///         themselves, not their boxes
   template <Executor E = sequential>
-  IRG_APART constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_config& config = {},
+  IRG_APART constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_options& config = {},
                                             const E& executor = {})
       : triangle_bvh(
             triangles.size(), [triangles](std::size_t i) -> const triangle& { return triangles[i]; }, config,
@@ -57,7 +57,7 @@ public:
 
   /// The same of count triangles that at(i) gives.
   template <class At, Executor E = sequential>
-  IRG_APART constexpr triangle_bvh(std::size_t count, const At& at, const bvh_config& config = {},
+  IRG_APART constexpr triangle_bvh(std::size_t count, const At& at, const bvh_options& config = {},
                                    const E& executor = {}) {
     const std::vector<box<T, 3>> boxes = boxes_of(count, at, executor);
     tree_ = detail::build_tree(std::span<const box<T, 3>>(boxes), config, executor,
@@ -203,7 +203,7 @@ inline namespace IRG_ABI {
 IRG_INLINE constexpr double reach_of(const bvh& tree, const space_point& origin) noexcept {
   constexpr double slack = 1 + 0x1p-50;
   double most = 0;
-  for (int i = 0; i < 3; ++i) most = greater(most, magnitude(origin[i]));
+  for (int i = 0; i < 3; ++i) most = maximum(most, magnitude(origin[i]));
   return (most + 1 / tree.scale) * slack;
 }
 
@@ -411,7 +411,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
         if ((f.hit >> k & 1) == 0 || is_before(f.rays[k], blocks, x, f.best[k])) {
           new (static_cast<void*>(&f.best[k])) first_crossing(x);
           f.hit |= 1u << k;
-          p.high[k] = lesser(p.high[k], later_time(p.whole, x.time.t + x.time.error));
+          p.high[k] = minimum(p.high[k], later_time(p.whole, x.time.t + x.time.error));
           nearer = true;
         }
         return false;

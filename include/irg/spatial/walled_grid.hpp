@@ -19,11 +19,11 @@ enum class wall_kind : std::uint8_t { none, wall, half_wall, open_door, closed_d
 
 /// Which kinds of walls block sight, by their number. The default is the source's table 2.
 /// source  Fabris 2012, table 2
-struct wall_rules {
+struct wall_options {
   std::array<bool, 6> blocks{false, true, false, false, true, false};
 
   IRG_INLINE constexpr bool operator()(wall_kind kind) const noexcept { return blocks[static_cast<std::size_t>(kind)]; }
-  constexpr bool operator==(const wall_rules&) const = default;
+  constexpr bool operator==(const wall_options&) const = default;
 };
 
 /// A map: cells as bits, the walls between them by kind, and as bits those that block.
@@ -31,10 +31,10 @@ struct wall_rules {
 class walled_grid {
 public:
   walled_grid() = default;
-  IRG_INLINE constexpr explicit walled_grid(const grid_extent& extent, const wall_rules& rules = {})
+  IRG_INLINE constexpr explicit walled_grid(const grid_extent& extent, const wall_options& rules = {})
       : walled_grid(cell_grid(extent), rules) {}
   /// The cells of a grid, without walls.
-  IRG_INLINE constexpr explicit walled_grid(cell_grid cells, const wall_rules& rules = {})
+  IRG_INLINE constexpr explicit walled_grid(cell_grid cells, const wall_options& rules = {})
       : cells_(std::move(cells)), rules_(rules) {}
 
   [[nodiscard]] IRG_INLINE constexpr grid_extent extent() const noexcept { return cells_.extent(); }
@@ -84,7 +84,7 @@ private:
   }
 
   cell_grid cells_;
-  wall_rules rules_;
+  wall_options rules_;
   std::vector<wall_kind> kinds_{};  // three per cell, or none at all
   cell_grid across_x_{}, across_y_{}, across_z_{};  // an array of them cannot be moved in g++ 12's constant evaluation
 };

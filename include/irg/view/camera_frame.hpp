@@ -57,7 +57,7 @@ template <class T>
 /// T: moves the frame's position into the origin.
 template <class T>
 [[nodiscard]] constexpr mat<T, 4, 4> view_translation(const camera_frame<T>& f) noexcept {
-  auto m = identity<T, 4>();
+  auto m = identity_matrix<T, 4>();
   for (int i = 0; i < 3; ++i) m(i, 3) = T(0) - f.position[i];
   return m;
 }

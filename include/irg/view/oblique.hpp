@@ -44,7 +44,7 @@ template <Floating T>
   const T x = product(how.factor, cos(how.angle)), y = product(how.factor, sin(how.angle));
   if (T(1) < magnitude(plane_z) && largest / magnitude(plane_z) < magnitude(how.factor))
     return detail::refused<T>(projection_status::not_representable);
-  auto m = identity<T, 4>();
+  auto m = identity_matrix<T, 4>();
   m(0, 2) = T(0) - x;
   m(1, 2) = T(0) - y;
   m(0, 3) = product(x, plane_z);
@@ -71,7 +71,7 @@ template <Floating T>
   for (int row = 0; row < 2; ++row) {
     const T scale = m(row, row), slope = shear.value(row, 2), shift = shear.value(row, 3);
     // Half of the largest number is left for the window's own offset.
-    if (T(1) < magnitude(scale) && largest / T(2) / magnitude(scale) < greater(magnitude(slope), magnitude(shift)))
+    if (T(1) < magnitude(scale) && largest / T(2) / magnitude(scale) < maximum(magnitude(slope), magnitude(shift)))
       return detail::refused<T>(projection_status::not_representable);
     m(row, 2) = product(scale, slope);
     m(row, 3) = product(scale, shift) + m(row, 3);

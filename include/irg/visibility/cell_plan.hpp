@@ -141,6 +141,7 @@ template <Floating T>
 struct doorway {
   std::uint32_t to = 0, portal = 0;
   point<T, 2> right{}, left{};
+  bool operator==(const doorway&) const = default;
 };
 
 inline namespace IRG_ABI {

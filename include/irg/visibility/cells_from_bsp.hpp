@@ -30,6 +30,7 @@ struct bsp_cells {
   cell_plan<T> plan;
   std::size_t cut = 0;  ///< leaves that became triangles, because rounded corners bent them
   std::size_t left_out = 0;  ///< leaves without area when their corners are rounded
+  bool operator==(const bsp_cells&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -21,6 +21,7 @@ namespace irg {
 struct visible_set_options {
   std::uint64_t most_doors = std::uint64_t{1} << 24;  ///< looked at from one cell; then all that it connects to is seen
   std::uint32_t most_parts = 256;  ///< of pairs of places, to find a line in space; then a way is held to be open
+  constexpr bool operator==(const visible_set_options&) const = default;
 };
 
 /// Which cells may be seen from which.

@@ -18,6 +18,7 @@ namespace irg {
 /// How far above their cells the eye and what it looks for are.
 struct sight_heights {
   int eye = 0, target = 0;
+  constexpr bool operator==(const sight_heights&) const = default;
 };
 
 /// What a viewshed took. A line of sight goes from cell to cell, each time over the border between two of them.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first half of Weiler and Atherton's clipping: each ring of both polygons is a list of its vertices, into which
-// the points are put where the boundaries cross. clip_weiler_atherton.hpp has the walk along them.
+// The first half of Weiler and Atherton's clipping: rings as lists of their vertices, with the crossings in between.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +23,7 @@ struct listed_vertex {
   std::size_t edge = 0;
   T along = 0;  // from 0 at the edge's start to 1
   std::optional<std::size_t> crossing{};
+  constexpr bool operator==(const listed_vertex&) const = default;
 };
 
 /// A point where the subject (0) enters or leaves the clip polygon (1), and its places in the lists of both.
@@ -32,14 +32,16 @@ struct listed_crossing {
   point<T, 2> at;
   bool enters = false;
   std::size_t ring[2] = {}, place[2] = {};
+  constexpr bool operator==(const listed_crossing&) const = default;
 };
 
-/// The lists of the subject (0) and of the clip polygon (1), one for each ring, and all crossings, if the status is `ok`.
+/// The lists of the subject (0) and of the clip polygon (1), one for each ring, and all crossings, if status is `ok`.
 template <Floating T>
 struct weiler_atherton_lists {
   weiler_atherton_status status = weiler_atherton_status::ok;
   std::vector<std::vector<listed_vertex<T>>> subject{}, clip{};
   std::vector<listed_crossing<T>> crossings{};
+  constexpr bool operator==(const weiler_atherton_lists&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -59,8 +61,7 @@ template <Floating T>
     for (std::size_t i = 0; i < subject[r].size(); ++i) out.subject[r].push_back({subject[r][i], i});
   for (std::size_t q = 0; q < clip.size(); ++q)
     for (std::size_t k = 0; k < clip[q].size(); ++k) out.clip[q].push_back({clip[q][k], k});
-  // Every edge ab of the subject against every edge cd of the clip polygon.
-  for (std::size_t r = 0; r < subject.size(); ++r)
+  for (std::size_t r = 0; r < subject.size(); ++r)  // every edge ab of the subject, every edge cd of the clip polygon
     for (std::size_t i = 0; i < subject[r].size(); ++i)
       for (std::size_t q = 0; q < clip.size(); ++q)
         for (std::size_t k = 0; k < clip[q].size(); ++k) {
@@ -76,8 +77,7 @@ template <Floating T>
           out.clip[q].push_back({m.at, k, m.s, out.crossings.size()});
           out.crossings.push_back({m.at, at_a < 0, {r, q}});
         }
-  // The crossings in between the vertices.
-  for (const int which : {0, 1})
+  for (const int which : {0, 1})  // the crossings in between the vertices
     for (std::vector<listed_vertex<T>>& list : which == 0 ? out.subject : out.clip) {
       std::sort(list.begin(), list.end(),
                 [](const auto& p, const auto& q) { return p.edge != q.edge ? p.edge < q.edge : p.along < q.along; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Floating-point numbers in order: the number of each, which of two is less, and the one nearest to a value that can only
-// be compared, exactly, with sums of two numbers.
+// Floating-point numbers in order: the number of each, which of two is less, and the one nearest to a value that can
+// only be compared, exactly, with sums of two numbers.
 #pragma once
 
 #include <bit>
@@ -26,8 +26,8 @@ template <Floating T>
   return bits < 0 ? (std::numeric_limits<J>::min)() - bits : bits;
 }
 
-/// -1, 0 or 1, as a is less than b, equal or greater; floats by their bits, since a processor that takes subnormal numbers
-/// for zero would find some of them equal.
+/// -1, 0 or 1, as a is less than b, equal or greater; floats by their bits, since a processor that takes subnormal
+/// numbers for zero would find some of them equal.
 /// needs   no NaN
 /// exact   -0 and 0 are equal
 template <class T>

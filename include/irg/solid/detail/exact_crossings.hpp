@@ -21,7 +21,7 @@ struct near_point {
 
   // How far these may be from it, and more.
   constexpr double slack() const noexcept {
-    const double size = greater(greater(magnitude(rounded.x), magnitude(rounded.y)), magnitude(rounded.z));
+    const double size = maximum(maximum(magnitude(rounded.x), magnitude(rounded.y)), magnitude(rounded.z));
     return size * 0x1p-50 + 0x1p-1000;
   }
 };

@@ -201,7 +201,7 @@ struct bvh_slices {
 
   constexpr int bin_of(float x) const noexcept {
     const float at = (x - least) * gain;
-    return at > 0.0f ? static_cast<int>(low_of(at, static_cast<float>(count - 1))) : 0;
+    return at > 0.0f ? static_cast<int>(minimum(at, static_cast<float>(count - 1))) : 0;
   }
   constexpr float plane(int bin) const noexcept { return least + product(static_cast<float>(bin + 1), width); }
 };
@@ -279,7 +279,7 @@ constexpr bool is_box(const bvh_item& a) noexcept {
 // Twice the sides of the box that two have in common.
 constexpr float area_in_common(const bvh_item& a, const bvh_item& b) noexcept {
   bvh_item c = a;
-  for (int i = 0; i < 8; ++i) c.v[i] = greater(a.v[i], b.v[i]);
+  for (int i = 0; i < 8; ++i) c.v[i] = maximum(a.v[i], b.v[i]);
   return is_box(c) ? area_of(c) : 0.0f;
 }
 
@@ -339,7 +339,7 @@ constexpr void partition_range(area_splits<Cut>& splits, area_split_range& r, ar
   for (std::size_t i = r.first; i < std::size_t{r.first} + r.count; ++i) {
     const bvh_item item = from[i];
     const float at = (item.v[best.axis] - item.v[4 + best.axis]) - b.least[best.axis];
-    const bool is_low = static_cast<int>(low_of(at * b.gain[best.axis], static_cast<float>(b.count - 1))) <= best.bin;
+    const bool is_low = static_cast<int>(minimum(at * b.gain[best.axis], static_cast<float>(b.count - 1))) <= best.bin;
     to[low] = item;  // one of the two is written over
     to[high] = item;
     low += is_low ? 1u : 0u;

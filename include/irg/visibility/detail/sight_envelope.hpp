@@ -79,7 +79,7 @@ struct sight_tally {
     if (a == at_source || b == at_source) return;
     ++pairs;
     if (outcome == 2 || outcome == -2) ++crossings;
-    if (was_compared.size() <= greater(a, b)) was_compared.resize(greater(a, b) + std::size_t{1}, std::uint8_t{0});
+    if (was_compared.size() <= maximum(a, b)) was_compared.resize(maximum(a, b) + std::size_t{1}, std::uint8_t{0});
     was_compared[a] = was_compared[b] = 1;
   }
 };

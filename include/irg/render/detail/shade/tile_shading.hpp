@@ -119,9 +119,10 @@ struct shade_by_triangle {
     const cell_window& w = v.window;
     for (int by = w.y_first; by < w.y_last; by += block_size) {
       pixel_of<Colour>* rows[block_size]{};
-      for (int y = by; y < lesser(by + block_size, w.y_last); ++y) rows[y - by] = raster_traits<Colour>::row(colour, y);
+      for (int y = by; y < minimum(by + block_size, w.y_last); ++y)
+        rows[y - by] = raster_traits<Colour>::row(colour, y);
       for (int x = w.x_first; x < w.x_last; x += count)
-        for (int y = by; y < lesser(by + block_size, w.y_last); ++y) {
+        for (int y = by; y < minimum(by + block_size, w.y_last); ++y) {
           const int at = (y - w.y_first) * tile_stride + (x - w.x_first);
           const integers places = load_places<integers>(v.place + at);
           unsigned pending = ~mask_bits(places == J::broadcast(-1)) & ((1u << count) - 1);
