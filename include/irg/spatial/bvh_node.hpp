@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bvh is made of.
+// What a bvh is made of, and what rays ask of it.
 #pragma once
 
 #include <concepts>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <irg/core/vocabulary.hpp>
-#include <irg/core/config.hpp>
+#include <irg/core/scalar.hpp>
 
 namespace irg {
 
@@ -80,4 +80,23 @@ inline constexpr uncounted_rays not_counted{};
 template <class C>
 concept RayCounts = std::same_as<C, ray_counts> || std::same_as<C, const uncounted_rays>;
 
+/// Where a ray crosses a triangle abc.
+/// shape   side: which one the ray comes from; the point is origin + t*direction, and a, b and c weighted by
+///         1 - weight_b - weight_c, weight_b and weight_c
+struct ray_crossing {
+  facing side = facing::front;
+  double t = 0, weight_b = 0, weight_c = 0;
+  constexpr bool operator==(const ray_crossing&) const = default;
+};
+
+namespace detail {
+
+// Four triangles side by side.
+template <Floating T>
+struct triangle_block {
+  static constexpr int width = 4;
+  T v[3][3][width];  // corner, axis, triangle
+};
+
+}  // namespace detail
 }  // namespace irg

@@ -16,20 +16,12 @@
 
 #include <irg/core/vocabulary.hpp>
 #include <irg/core/lanes.hpp>
+#include <irg/spatial/bvh_node.hpp>
 #include <irg/spatial/detail/ray_shear.hpp>
 #include <irg/math/exact/quotients_of.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
 namespace irg {
-
-/// Where a ray crosses a triangle abc.
-/// shape   side: which one the ray comes from; the point is origin + t*direction, and a, b and c weighted by
-///         1 - weight_b - weight_c, weight_b and weight_c
-struct ray_crossing {
-  facing side = facing::front;
-  double t = 0, weight_b = 0, weight_c = 0;
-  constexpr bool operator==(const ray_crossing&) const = default;
-};
 
 namespace detail {
 

@@ -12,12 +12,6 @@
 
 namespace irg::detail {
 
-template <Floating T>
-struct triangle_block {
-  static constexpr int width = 4;
-  T v[3][3][width];  // corner, axis, triangle
-};
-
 inline namespace IRG_ABI {
 
 template <class F, class T>

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The doors of spatial: trees of triangles and boxes of floats and doubles, rays of either, counted and not.
+#include <irg/spatial/triangle_bvh.hpp>
+
+namespace irg {
+
+using found = std::optional<triangle_hit>;
+
+#define IRG_FOR_RAYS(T, U, C)                                                                           \
+  template found closest_hit(const triangle_bvh<T>&, const ray<U, 3>&, C&) noexcept;                    \
+  template void closest_hits(const triangle_bvh<T>&, std::span<const ray<U, 3>>, std::span<found>, C&); \
+  template bool any_hit(const triangle_bvh<T>&, const ray<U, 3>&, C&) noexcept;                         \
+  template bool detail::is_admitted_hit(const triangle_bvh<T>&, const ray<U, 3>&,                       \
+                                        const function_ref<bool(std::uint32_t)>&, C&);                  \
+  template void detail::each_hit(const triangle_bvh<T>&, const ray<U, 3>&,                              \
+                                 const function_ref<void(const triangle_hit&)>&, C&);
+#define IRG_FOR_NUMBERS(T)                                                                                      \
+  template void refit<T>(bvh&, std::span<const box<T, 3>>);                                                     \
+  template bvh detail::build_box_tree(std::span<const box<T, 3>>, const bvh_options&, const executor_ref&);     \
+  template bvh detail::build_triangle_tree(std::span<const box<T, 3>>, const bvh_options&, const executor_ref&, \
+                                           const function_ref<std::array<point<T, 3>, 3>(std::size_t)>&);       \
+  IRG_FOR_RAYS(T, float, ray_counts)                                                                            \
+  IRG_FOR_RAYS(T, double, ray_counts)                                                                           \
+  IRG_FOR_RAYS(T, float, const uncounted_rays)                                                                  \
+  IRG_FOR_RAYS(T, double, const uncounted_rays)
+IRG_FOR_NUMBERS(float)
+IRG_FOR_NUMBERS(double)
+#undef IRG_FOR_NUMBERS
+#undef IRG_FOR_RAYS
+
+}  // namespace irg
