@@ -36,8 +36,10 @@ inline void frames(picture& p, const irg::bvh& tree, std::uint32_t at, int level
   for (int k = 0; k < irg::bvh_node::width; ++k) {
     const irg::bvh_node& n = tree.nodes[at];
     if (n.child[k] == irg::bvh_node::none) continue;
-    const double x0 = double{n.low(0, k)} / tree.scale + left, y0 = double{n.low(1, k)} / tree.scale,
-                 x1 = double{n.high(0, k)} / tree.scale + left, y1 = double{n.high(1, k)} / tree.scale;
+    const double x0 = static_cast<double>(n.low(0, k)) / tree.scale + left,
+                 y0 = static_cast<double>(n.low(1, k)) / tree.scale,
+                 x1 = static_cast<double>(n.high(0, k)) / tree.scale + left,
+                 y1 = static_cast<double>(n.high(1, k)) / tree.scale;
     const double out = 5.0 - 2 * level;
     outline(p, {{x0 - out, y0 - out}, {x1 + out, y0 - out}, {x1 + out, y1 + out}, {x0 - out, y1 + out}},
             level == 0 ? 2 : 1.2, colours[static_cast<std::size_t>(level)]);
@@ -84,9 +86,10 @@ inline picture parts() {
     for (const irg::bvh_node& n : tree.tree().nodes)
       for (int k = 0; k < irg::bvh_node::width; ++k) {
         if (n.child[k] == irg::bvh_node::none || !irg::bvh_node::is_leaf(n.child[k])) continue;
-        const double scale = 1 / tree.tree().scale, x0 = double{n.low(0, k)} * scale + left,
-                     y0 = double{n.low(1, k)} * scale, x1 = double{n.high(0, k)} * scale + left,
-                     y1 = double{n.high(1, k)} * scale;
+        const double scale = 1 / tree.tree().scale, x0 = static_cast<double>(n.low(0, k)) * scale + left,
+                     y0 = static_cast<double>(n.low(1, k)) * scale,
+                     x1 = static_cast<double>(n.high(0, k)) * scale + left,
+                     y1 = static_cast<double>(n.high(1, k)) * scale;
         outline(p, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, 1.5, red);
       }
   }

@@ -336,7 +336,7 @@ TEST_CASE("barycentric: numbers that can do no more than Scalar asks for") {
 
 TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
   using namespace test::mixed;
-  using P2 = point<T, 2>;
+  using corner = point<T, 2>;
   // The share of the bound: 2 ulp for subnormal numbers and large ones.
   const auto share = [](T got, const E& area, const E& whole) {
     const double error = quotient_error(got, area, whole), size = std::fabs(static_cast<double>(got));
@@ -345,7 +345,8 @@ TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
     if (has_sign && sign_of(got) != area.sign() * whole.sign()) return wrong;
     return error / (is_far ? 2 : sizeof(T) == 4 ? 0.501 : 0.51);
   };
-  const auto compare = [&](const std::optional<vec<T, 3>>& got, const P2& a, const P2& b, const P2& c, const P2& t) {
+  const auto compare = [&](const std::optional<vec<T, 3>>& got, const corner& a, const corner& b, const corner& c,
+                           const corner& t) {
     const E whole = twice_area(a, b, c);
     if (got.has_value() != (whole.sign() != 0)) return wrong;
     if (!got) return 0.0;
@@ -363,7 +364,7 @@ TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
       named<T>("barycentric in space, of its bound"), 1,
       [&](test::random& r, sizes which) {
         const auto p = points<T, 3, 4>(r, which);
-        P2 seen[3][4];
+        corner seen[3][4];
         E size[3];
         int best = 0;
         for (int k = 0; k < 3; ++k) {
@@ -373,7 +374,7 @@ TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
         }
         if (widest_view(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best)))
           return wrong;
-        const P2* s = seen[best];
+        const corner* s = seen[best];
         if (irg::textbook::barycentric_replaced(p[0], p[1], p[2], p[3], best) != barycentric(p[0], p[1], p[2], p[3]))
           return wrong;
         return compare(barycentric(p[0], p[1], p[2], p[3]), s[0], s[1], s[2], s[3]);

@@ -130,8 +130,8 @@ template <class T, int N>
 #endif
 }
 
-/// The smaller and the larger of two numbers, lane by lane; b when they are unordered. In one instruction where there is
-/// one; g++ does not find the second.
+/// The smaller and the larger of two numbers, lane by lane; b when they are unordered. In one instruction where there
+/// is one; g++ does not find the second.
 template <class T, int N>
 [[nodiscard]] IRG_INLINE pack<T, N> minimum(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)

@@ -46,10 +46,6 @@ enum class [[nodiscard]] bezier_intersection_status {
   within_tolerance [[deprecated("irg: within_tolerance is now ok")]] = ok
 };
 
-/// The old name of bezier_intersection_status.
-using meetings_found [[deprecated("irg: bezier_intersection_status is now bezier_intersection_status")]] =
-    bezier_intersection_status;
-
 namespace detail::inline IRG_ABI {
 
 // Stretch k of 2^level of a curve: its control points, and how far rounding may have moved them.
@@ -90,6 +86,9 @@ struct halved_curve {
     return {low - off, high + off};
   }
 };
+
+// How many rows of as many points as both curves have bezier_intersections works in.
+inline constexpr std::size_t meeting_rows = 3;
 
 enum class pair_of_pieces { apart, narrow, first_is_wide, second_is_wide };
 
@@ -189,7 +188,8 @@ constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
   using T = scalar_of<control_point<R>>;
   constexpr int depth = minimum(std::numeric_limits<T>::digits, 30);
   const std::size_t n = ring_traits<R>::size(first), m = ring_traits<S>::size(second);
-  IRG_EXPECTS(n > 0 && m > 0 && !room.empty() && scratch.size() >= 3 * (n + m) && search.tolerance >= 0);
+  IRG_EXPECTS(n > 0 && m > 0 && !room.empty() && search.tolerance >= 0);
+  IRG_EXPECTS(scratch.size() >= detail::meeting_rows * (n + m));
   detail::halved_curve<R> a(first, scratch.first(3 * n));
   detail::halved_curve<S> b(second, scratch.subspan(3 * n, 3 * m));
   detail::meeting_list<T> list{room};
@@ -218,6 +218,19 @@ constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
   return {list.count, list.is_full ? bezier_intersection_status::too_many
                       : any_wide   ? bezier_intersection_status::wide
                                    : bezier_intersection_status::ok};
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, ControlPoints S,
+          CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+  requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
+constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
+    const R& first, const S& second,
+    const std::type_identity_t<bezier_intersection_options<scalar_of<control_point<R>>>>& search,
+    std::span<curve_meeting<scalar_of<control_point<R>>>> room, Workspace&& workspace = Workspace{}) {
+  const std::size_t count = ring_traits<R>::size(first) + ring_traits<S>::size(second);
+  return bezier_intersections(first, second, search, room,
+                              detail::room_for(workspace.points, detail::meeting_rows * count));
 }
 
 IRG_RENAMED(bezier_meetings, bezier_intersections)

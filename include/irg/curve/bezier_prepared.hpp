@@ -64,6 +64,14 @@ constexpr std::optional<prepared_bezier<control_point<R>>> prepare_bezier(
     const R& points, std::span<scalar_of<control_point<R>>> space,
     std::type_identity_t<std::span<exact_sum<scalar_of<control_point<R>>>>> scratch) noexcept;
 
+/// The same, computed in a workspace, which may go afterwards; allocates where that has too little memory.
+template <ControlPoints R, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+  requires Floating<scalar_of<control_point<R>>>
+[[nodiscard]] constexpr std::optional<prepared_bezier<control_point<R>>> prepare_bezier(
+    const R& points, std::span<scalar_of<control_point<R>>> space, Workspace&& workspace = Workspace{}) {
+  return prepare_bezier(points, space, detail::room_for(workspace.sums, ring_traits<R>::size(points)));
+}
+
 /// The point of the curve at t.
 /// needs   0 <= t <= 1; outside, the polynomial goes on to degree 19 (in floats 11)
 /// exact   the ends bit for bit; error for control points within 1, measured: 3 u at most to degree 50, in the mean

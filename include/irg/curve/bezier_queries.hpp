@@ -34,6 +34,9 @@ namespace detail::inline IRG_ABI {
 template <Floating T>
 constexpr T half_ulp_of_one = std::numeric_limits<T>::epsilon() / 2;
 
+// How many rows of as many numbers as there are control points each query works in.
+inline constexpr std::size_t box_rows = 8, line_rows = 4, nearest_rows = 8;
+
 // Least and greatest coefficient of the polynomial between two places, widened by what rounding may hide.
 template <Floating T>
 constexpr vec<T, 2> hull_of_stretch(std::span<const vec<T, 1>> c, T from, T to, std::span<vec<T, 1>> scratch) noexcept {
@@ -109,7 +112,7 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
   using T = scalar_of<control_point<R>>;
   constexpr int dimension = size_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
-  IRG_EXPECTS(count > 0 && scratch.size() >= 8 * count);
+  IRG_EXPECTS(count > 0 && scratch.size() >= detail::box_rows * count);
   const auto c = scratch.first(count), slopes = scratch.subspan(count, count - 1);
   const auto work = scratch.subspan(2 * count, 3 * count);
   std::array<T, static_cast<std::size_t>(dimension)> low{}, high{};
@@ -128,7 +131,7 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
     if (count < 3 || !is_finite(largest)) continue;
     for (std::size_t i = 0; i + 1 < count; ++i) slopes[i] = {detail::half_difference(c[i + 1][0], c[i][0])};
     const T off = product(largest, std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 4;
-    bernstein_roots(std::span<const vec<T, 1>>(slopes), off, work, [&](const zero_stretch<T>& z) {
+    bernstein_roots(std::span<const vec<T, 1>>(slopes), off, work, [&](const root_interval<T>& z) {
       const auto hull = detail::hull_of_stretch(std::span<const vec<T, 1>>(c), z.from, z.to, scratch.last(3 * count));
       from = minimum(from, maximum(hull.x, least)), to = maximum(to, minimum(hull.y, greatest));
     });
@@ -137,7 +140,16 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
           generate_coordinates<point<T, dimension>>([&](int i) { return high[static_cast<std::size_t>(i)]; })};
 }
 
-/// Hands sink(zero_stretch) the stretches of the parameter in which the curve may meet the line through a and b.
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+  requires Floating<scalar_of<control_point<R>>>
+[[nodiscard]] constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box(
+    const R& points, Workspace&& workspace = Workspace{}) {
+  const std::size_t count = ring_traits<R>::size(points);
+  return bezier_box(points, detail::room_for(workspace.coefficients, detail::box_rows * count));
+}
+
+/// Hands sink(root_interval) the stretches of the parameter in which the curve may meet the line through a and b.
 /// needs   one or more control points in the plane; scratch of four times as many numbers
 /// gives   false, and no stretches, where a and b are the same or not finite. A sign is 1 where the curve is left of
 ///         the line; a curve along the line is one stretch
@@ -150,7 +162,7 @@ constexpr bool bezier_line_intersections(const R& points, const control_point<R>
                                          std::span<vec<scalar_of<control_point<R>>, 1>> scratch, Sink&& sink) {
   using T = scalar_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
-  IRG_EXPECTS(count > 0 && scratch.size() >= 4 * count);
+  IRG_EXPECTS(count > 0 && scratch.size() >= detail::line_rows * count);
   bool is_sound = true, is_large = false;
   for (int i = 0; i < 2; ++i)
     for (const T& x : {coordinate(a, i), coordinate(b, i)}) {
@@ -177,6 +189,16 @@ constexpr bool bezier_line_intersections(const R& points, const control_point<R>
   return true;
 }
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, class Sink, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+  requires(Floating<scalar_of<control_point<R>>> && size_of<control_point<R>> == 2)
+constexpr bool bezier_line_intersections(const R& points, const control_point<R>& a, const control_point<R>& b,
+                                         Sink&& sink, Workspace&& workspace = Workspace{}) {
+  const std::size_t count = ring_traits<R>::size(points);
+  const auto scratch = detail::room_for(workspace.coefficients, detail::line_rows * count);
+  return bezier_line_intersections(points, a, b, scratch, sink);
+}
+
 /// The place on the curve, 0 <= t <= 1, that is nearest to p.
 /// needs   one or more finite control points, degree 60 at most; scratch of eight times as many numbers, work for as
 ///         many points
@@ -195,7 +217,7 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
   using P = control_point<R>;
   using T = scalar_of<P>;
   const std::size_t count = ring_traits<R>::size(points), degree = count - 1;
-  IRG_EXPECTS(count > 0 && count <= 61 && scratch.size() >= 8 * count && work.size() >= count);
+  IRG_EXPECTS(count > 0 && count <= 61 && scratch.size() >= detail::nearest_rows * count && work.size() >= count);
   // Places are compared by the curve of offsets from p: far from the origin the curve's own points have fewer digits
   // than their distances. Offsets that may overflow are taken to a quarter.
   T largest = 0;
@@ -223,7 +245,7 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
     const auto c = scratch.first(2 * degree);
     const T off = detail::foot_coefficients<R, T>(points, p, c);
     bernstein_roots(std::span<const vec<T, 1>>(c), off, scratch.subspan(2 * degree, 6 * degree),
-                    [&](const zero_stretch<T>& z) {
+                    [&](const root_interval<T>& z) {
                       compare(z.from);
                       compare(z.middle());
                       compare(z.to);
@@ -231,6 +253,16 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
     compare(T(1));
   }
   return {best, bezier_point(points, curve_parameter<T>(best), work), is_large ? 4 * least : least};
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+  requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
+[[nodiscard]] constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const control_point<R>& p,
+                                                                       Workspace&& workspace = Workspace{}) {
+  const std::size_t count = ring_traits<R>::size(points);
+  return bezier_nearest(points, p, detail::room_for(workspace.coefficients, detail::nearest_rows * count),
+                        detail::room_for(workspace.points, count));
 }
 
 IRG_RENAMED(bezier_line_crossings, bezier_line_intersections)

@@ -39,9 +39,6 @@ enum class [[nodiscard]] knots_status {
   none [[deprecated("irg: none is now ok")]] = ok
 };
 
-/// The old name of knots_status.
-using knots_error [[deprecated("irg: knots_status is now knots_status")]] = knots_status;
-
 /// The Degree of bspline_knots that bring it along.
 inline constexpr int degree_at_run_time = -1;
 
@@ -157,6 +154,15 @@ constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degr
                                                      std::type_identity_t<T> t,
                                                      std::type_identity_t<std::span<T>> scratch) noexcept;
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, ControlPolygon R,
+          CurveWorkspace<ring_point<R>> Workspace = detail::own_workspace<ring_point<R>, Degree == degree_at_run_time>>
+[[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots,
+                                                                   const R& points, std::type_identity_t<T> t,
+                                                                   Workspace&& workspace = Workspace{}) {
+  return bspline_point(knots, points, t, detail::room_for(workspace.numbers, knots.order()));
+}
+
 /// The basis functions at t of a rational B-spline (NURBS): each times its weight, over the sum of these.
 /// needs   as many weights as knots.size()
 /// gives   nothing for NaN, for t outside of the knots' range, and where a weight is negative, NaN or infinite or all
@@ -193,6 +199,16 @@ constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree
                                                    std::type_identity_t<std::span<const T>> weights,
                                                    std::type_identity_t<T> t,
                                                    std::type_identity_t<std::span<T>> scratch) noexcept;
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, ControlPolygon R,
+          CurveWorkspace<ring_point<R>> Workspace = detail::own_workspace<ring_point<R>, Degree == degree_at_run_time>>
+[[nodiscard]] constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                                                 std::type_identity_t<std::span<const T>> weights,
+                                                                 std::type_identity_t<T> t,
+                                                                 Workspace&& workspace = Workspace{}) {
+  return nurbs_point(knots, points, weights, t, detail::room_for(workspace.numbers, knots.order()));
+}
 
 /// The point of a rational B-spline curve (NURBS) of homogeneous control points at t.
 /// needs   as many control points as knots.size()

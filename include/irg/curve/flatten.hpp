@@ -50,6 +50,9 @@ constexpr scalar_of<P> chord_error_bound(std::span<const P> c) noexcept {
   return product(largest, static_cast<T>(static_cast<int>(n * (n - 1)))) / T(8);
 }
 
+// How many rows of as many points as the curve has flatten works in.
+inline constexpr std::size_t flatten_rows = 3;
+
 /// The bound for the stretch of the curve from first to last of 2^16.
 template <ControlPoints R>
 constexpr scalar_of<control_point<R>> stretch_error_bound(const R& points, int first, int last,
@@ -105,7 +108,7 @@ constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<con
   using T = scalar_of<control_point<R>>;
   constexpr int end = 65536;
   const std::size_t count = ring_traits<R>::size(points);
-  IRG_EXPECTS(count > 0 && scratch.size() >= 3 * count);
+  IRG_EXPECTS(count > 0 && scratch.size() >= detail::flatten_rows * count);
   flattening done;
   sink(ring_traits<R>::vertex(points, 0));
   if (count < 2) return done;
@@ -117,6 +120,15 @@ constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<con
         sink(bezier_point(points, curve_fraction<T>(at, end), scratch));
       });
   return done;
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, class Sink, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+  requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
+constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<control_point<R>>> tolerance, Sink&& sink,
+                             Workspace&& workspace = Workspace{}) {
+  const std::size_t count = ring_traits<R>::size(points);
+  return flatten(points, tolerance, detail::room_for(workspace.points, detail::flatten_rows * count), sink);
 }
 
 }  // namespace IRG_ABI

@@ -19,9 +19,6 @@ enum class [[nodiscard]] inversion_status {
   plane [[deprecated("irg: plane is now ok")]] = ok
 };
 
-/// The old name of inversion_status.
-using inversion_outcome [[deprecated("irg: inversion_status is now inversion_status")]] = inversion_status;
-
 inline namespace IRG_ABI {
 
 /// The plane (a, b, c, d) with last coefficient d through three homogeneous points: the solution of the equations with

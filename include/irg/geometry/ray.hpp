@@ -21,7 +21,7 @@ struct ray {
   T low = T(0), high = std::numeric_limits<T>::infinity();
 
   /// Whether the ray has no points.
-  // Told from the bits of all numbers at once: comparisons with branches would cost more than a ray's way through a tree.
+  // From the bits of all numbers at once: comparisons with branches would cost more than a ray's way through a tree.
   [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept {
     using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
     constexpr bits exponent = std::bit_cast<bits>(std::numeric_limits<T>::infinity());

@@ -33,7 +33,7 @@
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
-#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact/big_float.hpp>
 #include <irg/math/vec.hpp>
 

@@ -27,9 +27,6 @@ enum class [[nodiscard]] triangulation_status {
   complete [[deprecated("irg: complete is now ok")]] = ok
 };
 
-/// The old name of triangulation_status.
-using triangulation_state [[deprecated("irg: now triangulation_status")]] = triangulation_status;
-
 /// Triangles as indices of vertices; no triangle unless the status is `ok`.
 struct triangulation {
   triangulation_status status = triangulation_status::ok;

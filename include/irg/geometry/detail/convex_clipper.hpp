@@ -19,7 +19,6 @@
 #include <irg/geometry/detail/axis_crossing.hpp>
 #include <irg/geometry/detail/half_space.hpp>
 #include <irg/geometry/parametric_plane.hpp>
-#include <irg/math/exact/compare_numbers.hpp>
 #include <irg/math/exact/filtered_number.hpp>
 #include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact/quotients_of.hpp>

@@ -155,9 +155,6 @@ private:
   bool negative_ = false;
 };
 
-template <int Degree>
-using exact_number = big_float<Degree>;
-
 inline namespace IRG_ABI {
 
 /// x as a big float.

@@ -29,8 +29,6 @@ struct scaled_double_double {
   constexpr bool operator==(const scaled_double_double&) const = default;
 };
 
-using known_number = scaled_double_double;
-
 namespace detail::inline IRG_ABI {
 
 IRG_INLINE constexpr unrounded parts_of(const scaled_double_double& x) noexcept { return {x.high, x.low}; }

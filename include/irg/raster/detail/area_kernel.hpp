@@ -2,7 +2,7 @@
 // The area of a convex polygon within each pixel of a row.
 //
 // A side of the polygon is a chain of edges that runs down. What it leaves uncovered in column x of a row is, for each
-// edge, the integral of clamped(E(y) - x, 0, 1) over the part of the row the edge crosses; the coverage is the height of
+// edge, the integral of E(y) - x, clamped to [0, 1], over the part of the row it crosses; the coverage is the height of
 // the polygon in the row less what both sides leave uncovered. The right side is walked in a mirror, its column x being
 // -1 - x, so that both sides are one piece of code and a mirrored polygon gives the mirrored bits.
 //

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/nearest_float.hpp>
 #include <irg/geometry/exact_point.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>
