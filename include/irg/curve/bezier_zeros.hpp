@@ -165,10 +165,10 @@ constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::typ
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <Floating T, class Sink, CurveWorkspace<vec<T, 1>> Workspace = curve_workspace<vec<T, 1>>>
+template <Floating T, class Sink, WorkspaceFor<vec<T, 1>> W = curve_workspace<vec<T, 1>>>
 constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::type_identity_t<T> uncertainty,
-                               Sink&& sink, Workspace&& workspace = Workspace{}) {
-  const auto scratch = detail::room_for(workspace.coefficients, detail::root_rows * coefficients.size());
+                               Sink&& sink, W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.coefficients, coefficients, detail::root_rows);
   bernstein_roots(coefficients, uncertainty, scratch, sink);
 }
 
