@@ -194,7 +194,8 @@ void methods() {
     for (std::size_t i = 0; i < faces.size(); ++i) all_faces.push_back(faces[i]);
     for (int y = w.y_first; y < w.y_last; ++y)
       for (int x = w.x_first; x < w.x_last; ++x)
-        ids(x, y) = kept(x, y) = irg::picture_face_at(std::span(all_faces).last(faces.size()), x, y);
+        ids(x, y) = kept(x, y) =
+            irg::picture_face_at(std::span(all_faces).last(faces.size()), x, y).value_or(irg::no_index);
   };
   irg::render(nearest, s, {one, z}, {.style = irg::picture_style::flat, .culling = irg::face_culling::none});
   constexpr irg::rgba8 of_face[3] = {{200, 80, 60, 255}, {70, 150, 90, 255}, {60, 100, 180, 255}};

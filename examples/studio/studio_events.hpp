@@ -246,8 +246,8 @@ constexpr studio_status status_of_lamp(const light<T>& lamp) noexcept {
 template <class T, class Change>
 constexpr studio_status change_bodies(studio<T>& s, const part_name& name, const Change& change) {
   if (!name.empty()) {
-    const std::size_t i = find_body(s, name);
-    return i == s.bodies.size() ? studio_status::no_such_body : change(s.bodies[i]);
+    const std::optional<std::size_t> i = find_body(s, name);
+    return i ? change(s.bodies[*i]) : studio_status::no_such_body;
   }
   for (studio_body<T>& b : s.bodies) static_cast<void>(change(b));
   return studio_status::done;
@@ -301,9 +301,9 @@ constexpr studio_status apply_event(studio<T>& s, load_body<T> e) {
 }
 template <Floating T>
 constexpr studio_status apply_event(studio<T>& s, const drop_body& e) {
-  const std::size_t i = find_body(s, e.name);
-  if (i == s.bodies.size()) return studio_status::no_such_body;
-  s.bodies.erase(s.bodies.begin() + static_cast<std::ptrdiff_t>(i));
+  const std::optional<std::size_t> i = find_body(s, e.name);
+  if (!i) return studio_status::no_such_body;
+  s.bodies.erase(s.bodies.begin() + static_cast<std::ptrdiff_t>(*i));
   return studio_status::done;
 }
 template <Floating T>

@@ -127,7 +127,7 @@ std::int64_t pieces_of(const std::vector<irg::screen_face>& faces, int width, in
   irg::draw_bsp(tree, ids);
   for (int y = 0; y < height; y += 1 + height / 40)
     for (int x = 0; x < width; x += 1 + width / 60)
-      if (ids(x, y) != irg::picture_face_at(faces, x, y)) return -1;
+      if (ids(x, y) != irg::picture_face_at(faces, x, y).value_or(irg::no_index)) return -1;
   return tree.counts.pieces;
 }
 

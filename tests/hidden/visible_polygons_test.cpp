@@ -159,7 +159,7 @@ TEST_CASE("visible_polygons: depths of all sizes; neither the order of the faces
       for (int x = 0; x < 16; ++x) {
         bool close = false, well = false;
         const std::uint32_t number = number_at(map, x + 0.5, y + 0.5, close, well);
-        if (!close && (!well || number != irg::picture_face_at(faces, x, y))) ++wrong;
+        if (!close && (!well || number != irg::picture_face_at(faces, x, y).value_or(irg::no_index))) ++wrong;
       }
     std::reverse(faces.begin(), faces.end());
     std::swap(faces[3], faces[8]);

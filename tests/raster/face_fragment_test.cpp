@@ -110,7 +110,7 @@ void paints(std::uint64_t seed, int rounds) {
         if (covers(faces[1], x, y)) seen = faces[1].number;
         if (irg::covers<Order>(parts.nearer, x, y)) seen = faces[0].number;
         both += covers(faces[0], x, y) && covers(faces[1], x, y);
-        wrong += seen != irg::picture_face_at<Order>(faces, x, y);
+        wrong += seen != irg::picture_face_at<Order>(faces, x, y).value_or(irg::no_index);
       }
   }
   CHECK(wrong == 0);

@@ -68,7 +68,7 @@ int check_identities(const body& a, const body& b) {
   irg::solid_boolean_result<double> made[4];
   for (int i = 0; i < 4; ++i) {
     made[i] = solid_boolean(a, b, all_operations[i]);
-    REQUIRE(made[i].status == solid_boolean_status::ok);
+    REQUIRE(made[i]);
     REQUIRE(test::is_balanced(made[i].value));
     REQUIRE(made[i].faces.size() == made[i].value.face_count());
     REQUIRE(made[i].corners.size() == made[i].value.positions.size());
@@ -397,6 +397,7 @@ void check_culprit(const body& good, const body& bad, bool is_named = true) {
   for (const auto operation : all_operations) {
     const auto second = solid_boolean(good, bad, operation), first = solid_boolean(bad, good, operation);
     CHECK(second.status == solid_boolean_status::not_a_body);
+    CHECK(!second);
     CHECK(first.status == solid_boolean_status::not_a_body);
     CHECK(second.body == (is_named ? 1 : no_body));
     CHECK(first.body == (is_named ? 0 : no_body));

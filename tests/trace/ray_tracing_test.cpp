@@ -46,7 +46,8 @@ int differing(test::random& r, int round, std::int64_t* ties = nullptr) {
   int different = 0;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
-      different += ids(x, y) != irg::picture_face_at<Order>(std::span<const irg::screen_face>(all), x, y);
+      different += ids(x, y) !=
+                   irg::picture_face_at<Order>(std::span<const irg::screen_face>(all), x, y).value_or(irg::no_index);
   if (ties != nullptr) *ties += counts.ties;
   return different;
 }

@@ -15,10 +15,10 @@ namespace irg {
 
 /// One of the two sides of an edge, in the direction in which its loop runs.
 struct half_edge {
-  static constexpr std::uint32_t none = no_index;
-  std::uint32_t origin = none;  // the vertex that it leaves
-  std::uint32_t next = none, previous = none;  // in its loop
-  std::uint32_t loop = none;  // none beside the border of an open surface
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  std::uint32_t origin = no_index;  // the vertex that it leaves
+  std::uint32_t next = no_index, previous = no_index;  // in its loop
+  std::uint32_t loop = no_index;  // none beside the border of an open surface
   constexpr bool operator==(const half_edge&) const = default;
 };
 
@@ -44,8 +44,8 @@ struct half_edge_attributes {
 ///         half_edges with origin none, half_edge_at with gone, loops without a face, faces without a loop (0xffffffff)
 template <Scalar T>
 struct half_edge_mesh {
-  static constexpr std::uint32_t none = half_edge::none;
-  static constexpr std::uint32_t gone = none - 1;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  static constexpr std::uint32_t gone = no_index - 1;
 
   std::vector<point<T, 3>> positions;
   std::vector<std::uint32_t> half_edge_at;  // for each vertex one that leaves it, or none
@@ -72,7 +72,7 @@ struct half_edge_mesh {
   }
   /// The face to the left of h, seen from outside; none beside a border.
   [[nodiscard]] IRG_INLINE constexpr std::uint32_t face(std::uint32_t h) const noexcept {
-    return half_edges[h].loop == none ? none : loops[half_edges[h].loop].face;
+    return half_edges[h].loop == no_index ? no_index : loops[half_edges[h].loop].face;
   }
   /// The next half-edge that leaves the same vertex, counter-clockwise seen from outside.
   [[nodiscard]] IRG_INLINE constexpr std::uint32_t next_around(std::uint32_t h) const noexcept {

@@ -16,10 +16,10 @@ namespace irg {
 
 /// One corner of a face: indices into positions, normals and texcoords.
 struct mesh_corner {
-  static constexpr std::uint32_t none = no_index;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
   std::uint32_t position = 0;
-  std::uint32_t normal = none;
-  std::uint32_t texcoord = none;
+  std::uint32_t normal = no_index;
+  std::uint32_t texcoord = no_index;
   constexpr bool operator==(const mesh_corner&) const = default;
 };
 

@@ -12,8 +12,8 @@
 
 namespace irg {
 
-/// The number that pixels hold which show no face.
-inline constexpr std::uint32_t no_face = no_index;
+/// The old name of no_index, which pixels hold that show no face.
+[[deprecated("irg: no_index")]] inline constexpr std::uint32_t no_face = no_index;
 
 /// A face on the screen, made by make_screen_face.
 /// shape   v in the order of the source, which coverage.edge is not where it is `flipped`; coverage.bounds is the box

@@ -31,10 +31,10 @@ struct stored_edge {
 
 /// A named body.
 /// shape   edges name positions of `shape`; surface_of_face has an entry for each face, a number of `surfaces` or
-///         no_surface
+///         no_index
 template <Floating T>
 struct stored_body {
-  static constexpr std::uint32_t no_surface = no_index;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t no_surface = no_index;
   part_name name;
   mesh<T> shape;
   std::vector<stored_edge> edges;

@@ -15,10 +15,10 @@ namespace irg {
 
 /// A step of a tree: a body, or an operation on two earlier steps.
 struct csg_step {
-  static constexpr std::uint32_t none = no_index;
-  std::uint32_t body = none;  // of bodies; none for an operation
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  std::uint32_t body = no_index;  // of bodies; none for an operation
   boolean_operation operation{};
-  std::uint32_t first = none, second = none;  // steps
+  std::uint32_t first = no_index, second = no_index;  // steps
 };
 
 /// A tree of operations as a value.

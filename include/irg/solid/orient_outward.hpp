@@ -122,7 +122,7 @@ constexpr location place_of_exact(const exact_point& p, const std::vector<point<
   for (const triangle_indices& t : surface) {
     if (is_off_ray_upward(box_of_triangle(positions, t), at.rounded, at.slack())) continue;
     const seen_triangle s = see_triangle(positions, t, 0);
-    bool is_on = s.turn != 0 && side_of_plane(*s.p[0], *s.p[1], *s.p[2], p) == 0;
+    bool is_on = s.turn != 0 && side_of_plane(*s.p[0], *s.p[1], *s.p[2], p) == side::on;
     for (int k = 0; k < 3 && is_on; ++k)
       is_on = irg::orientation_along(s.axis, exact_point(*s.p[k]), exact_point(*s.p[(k + 1) % 3]), p) * s.turn >= 0;
     if (is_on) return location::boundary;

@@ -15,8 +15,8 @@
 
 namespace irg {
 
-/// No segment, no triangle, no node.
-inline constexpr std::uint32_t bsp_none = no_index;
+/// The old name of no_index: no segment, no triangle, no node.
+[[deprecated("irg: no_index")]] inline constexpr std::uint32_t bsp_none = no_index;
 
 /// Where a point lies: on the line or plane of a node (side 0), or in the cell without a node at that side of it.
 struct bsp_place {

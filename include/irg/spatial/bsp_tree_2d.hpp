@@ -141,7 +141,7 @@ private:
     const std::uint32_t cut = at_a ? p.from : p.to;
     if (cut == line) return 0;
     if (cut == bsp_none) return orient2d(l.a, l.b, at_a ? s.a : s.b);
-    return side_of_crossing(s, segments_[cut], l).value_or(0);
+    return sign_of(side_of_crossing(s, segments_[cut], l).value_or(irg::side::on));
   }
   // A point in doubles that no difference of overflows.
   [[nodiscard]] IRG_APART constexpr point<double, 2> scaled(const point<T, 2>& p) const noexcept {

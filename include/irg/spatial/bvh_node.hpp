@@ -16,7 +16,8 @@ namespace irg {
 ///         nothing are empty
 struct alignas(32) bvh_node {
   static constexpr int width = 8;
-  static constexpr std::uint32_t none = no_index, leaf = 0x80000000;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  static constexpr std::uint32_t leaf = 0x80000000;
   static constexpr std::uint32_t block = 4, most = 8;  // leaves take places of the order by fours, eight at most
 
   float bounds[6 * width];

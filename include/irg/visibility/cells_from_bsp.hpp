@@ -119,7 +119,7 @@ private:
     std::vector<int> out;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const std::uint32_t before = sides[k == 0 ? sides.size() - 1 : k - 1];
-      out.push_back(side_of_crossing(lines_[before], lines_[sides[k]], line).value_or(0));
+      out.push_back(sign_of(side_of_crossing(lines_[before], lines_[sides[k]], line).value_or(irg::side::on)));
     }
     return out;
   }

@@ -297,8 +297,8 @@ constexpr int side_of_corner(const bsp_cells_3d<T>& cells, std::uint32_t triangl
     return side < 3 ? points_of_side(cells.d, triangle, side) : points_of(cells.d, cells.d.nodes[side - 3].plane);
   };
   const plane_points<T> whole = points_of(cells.d, {triangle, bsp_plane_3d::of_triangle});
-  return side_of_meeting(whole, points(last), points(next), points_of(cells.d, cells.d.nodes[by.number].plane))
-      .value_or(0);
+  return sign_of(side_of_meeting(whole, points(last), points(next), points_of(cells.d, cells.d.nodes[by.number].plane))
+                     .value_or(irg::side::on));
 }
 
 // A triangle that a plane cuts: is the piece of it cut, too?
