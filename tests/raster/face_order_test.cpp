@@ -285,7 +285,7 @@ void against_drawing(std::uint64_t seed, int scenes) {
   long long compared = 0, close = 0, wrong = 0;
   for (int scene = 0; scene < scenes; ++scene) {
     std::vector<screen_face> faces;
-    irg::image<std::uint32_t> id(size, size, irg::no_face);
+    irg::image<std::uint32_t> id(size, size, irg::no_index);
     irg::image<float> depth(size, size, Order::farthest);
     for (std::uint32_t i = 0; i < 12; ++i) {
       irg::screen_vertex v[3];
@@ -304,7 +304,7 @@ void against_drawing(std::uint64_t seed, int scenes) {
           continue;
         }
         // Allowed only where the float depths of the two lie within 8 units in the last place.
-        const bool both = seen != irg::no_face && id(x, y) != irg::no_face;
+        const bool both = seen != irg::no_index && id(x, y) != irg::no_index;
         const float a = both ? rounded_depth(faces[seen], x, y) : 0,
                     b = both ? rounded_depth(faces[id(x, y)], x, y) : 1;
         ++(std::fabs(a - b) <= 8 * 0x1p-24f ? close : wrong);

@@ -34,7 +34,7 @@ constexpr boolean_operation all_operations[] = {boolean_operation::union_, boole
 constexpr body box(const place& low, const place& high) {
   body m = irg::shape_cube<double>();
   m.normals.clear();
-  for (auto& c : m.corners) c.normal = irg::mesh_corner::none;
+  for (auto& c : m.corners) c.normal = irg::no_index;
   for (place& p : m.positions)
     for (int i = 0; i < 3; ++i) p[i] = p[i] == 0 ? low[i] : high[i];
   return m;
@@ -390,7 +390,7 @@ body shells(std::initializer_list<std::pair<body, bool>> list) {
   for (const auto& [shell, is_turned] : list) add_shell(all, shell, is_turned);
   return all;
 }
-constexpr std::uint32_t no_body = irg::solid_boolean_result<double>::none;
+constexpr std::uint32_t no_body = irg::no_index;
 
 // That a body is refused and named, first and second, by every operation; or taken.
 void check_culprit(const body& good, const body& bad, bool is_named = true) {

@@ -186,8 +186,8 @@ template <Point P>
 }
 
 /// The barycentric coordinates of T in the triangle A, B, C: A*t1 + B*t2 + C*t3 = T and t1 + t2 + t3 = 1.
-/// shape   points of the plane, or of space; there T is first moved along the axis of dropped_axis into the plane of the
-///         triangle, so that the result means something for every T
+/// shape   points of the plane, or of space; there T is first moved along dropped_axis into the plane of the triangle,
+///         so that the result means something for every T
 /// needs   finite coordinates
 /// gives   nothing for a triangle without area
 /// exact   in rationals. Each coordinate within 0.51 ulp of the exact one (float 0.501; subnormal and beyond 2^960
@@ -260,7 +260,7 @@ template <Point P>
 }
 
 /// Where a point lies against a triangle in space: whether in its plane, and which part of it T is on once it is moved
-/// along the axis of dropped_axis into that plane.
+/// along dropped_axis into that plane.
 /// needs   finite coordinates
 /// gives   nothing for a triangle without area
 /// exact   for every finite float and double

@@ -34,8 +34,8 @@ template <Floating T>
   return point<T, 2>{(*at)[0], (*at)[1]};
 }
 
-/// On which side of the line `of` the point lies in which the lines `first` and `second` cross: above to its left (y up),
-/// below to its right.
+/// On which side of the line `of` the point lies in which the lines `first` and `second` cross: above to its left (y
+/// up), below to its right.
 /// shape   lines through the ends of segments; the crossing may lie beyond the ends
 /// needs   finite coordinates
 /// gives   nothing when `first` and `second` do not cross in one point (parallel, or without length), and when

@@ -64,18 +64,18 @@ constexpr ring_areas<ring_scalar<R>> areas_along_axes(const R& ring) noexcept {
     else
       scale = largest > 0x1p55f ? 0x1p-75f : largest < 0x1p-55f ? 0x1p75f : 1.0f;
   }
-  ring_areas<T> area{{T(0), T(0), T(0)}};
+  T area[3] = {T(0), T(0), T(0)};
   const auto from_first = [&](std::size_t i, int k) {
     return product(coordinate(ring_vertex(ring, i), k), scale) - product(coordinate(ring_vertex(ring, 0), k), scale);
   };
   for (std::size_t i = 1; i + 1 < n; ++i)
     for (int k = 0; k < 3; ++k) {
       const int u = k == 2 ? 0 : k + 1, v = k == 0 ? 2 : k - 1;
-      area.along[k] =
-          area.along[k] + (product(from_first(i, u), from_first(i + 1, v)) - product(from_first(i, v), from_first(i + 1, u)));
+      area[k] =
+          area[k] + (product(from_first(i, u), from_first(i + 1, v)) - product(from_first(i, v), from_first(i + 1, u)));
     }
-  for (T& a : area.along) a = a < T(0) ? -a : a;
-  return area;
+  for (T& a : area) a = a < T(0) ? -a : a;
+  return {{area[0], area[1], area[2]}};
 }
 
 }  // namespace IRG_ABI

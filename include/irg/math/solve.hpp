@@ -13,13 +13,12 @@
 
 namespace irg {
 
-/// What a system of linear equations has: ok, one solution; infinitely many, its equations depending on each other; none,
-/// its equations contradicting each other. not_finite: a number is NaN or infinite, or the solution is too large.
+/// What a system of linear equations has.
 enum class [[nodiscard]] system_status {
-  ok,
-  dependent,
-  inconsistent,
-  not_finite,
+  ok,  ///< one solution
+  dependent,  ///< infinitely many: its equations depend on each other
+  inconsistent,  ///< none: its equations contradict each other
+  not_finite,  ///< a number is NaN or infinite, or the solution is too large
   unique [[deprecated("irg: unique is now ok")]] = ok
 };
 

@@ -24,19 +24,19 @@ struct half_edge {
 
 /// A closed walk that bounds a face: the outer one, or a ring round a hole.
 struct half_edge_loop {
-  std::uint32_t first = half_edge::none;  // one of its half-edges; none for a loop that is a lone vertex
-  std::uint32_t face = half_edge::none;  // none when the loop is no more
-  std::uint32_t next = half_edge::none;  // the face's next ring
+  std::uint32_t first = no_index;  // one of its half-edges; none for a loop that is a lone vertex
+  std::uint32_t face = no_index;  // none when the loop is no more
+  std::uint32_t next = no_index;  // the face's next ring
 };
 
 /// A loop without half-edges: one vertex in a face.
 struct lone_vertex {
-  std::uint32_t loop = half_edge::none, vertex = half_edge::none;
+  std::uint32_t loop = no_index, vertex = no_index;
 };
 
 /// What a corner has besides its position: indices into normals and texcoords.
 struct half_edge_attributes {
-  std::uint32_t normal = half_edge::none, texcoord = half_edge::none;
+  std::uint32_t normal = no_index, texcoord = no_index;
 };
 
 /// Vertices, edges, loops and faces, each known by its number. Half-edges 2e and 2e + 1 are the sides of edge e.
@@ -101,7 +101,7 @@ IRG_INLINE constexpr void each_half_edge_at(const half_edge_mesh<T>& b, std::uin
 template <Scalar T, class Use>
 IRG_INLINE constexpr void each_half_edge_of(const half_edge_mesh<T>& b, std::uint32_t loop, const Use& use) {
   const std::uint32_t first = b.loops[loop].first;
-  if (first == half_edge::none) return;
+  if (first == no_index) return;
   std::uint32_t h = first;
   do {
     use(h);
@@ -113,7 +113,7 @@ IRG_INLINE constexpr void each_half_edge_of(const half_edge_mesh<T>& b, std::uin
 /// needs   a face of b that is still there
 template <Scalar T, class Use>
 IRG_INLINE constexpr void each_loop_of(const half_edge_mesh<T>& b, std::uint32_t face, const Use& use) {
-  for (std::uint32_t l = b.faces[face]; l != half_edge::none; l = b.loops[l].next) use(l);
+  for (std::uint32_t l = b.faces[face]; l != no_index; l = b.loops[l].next) use(l);
 }
 
 }  // namespace IRG_ABI

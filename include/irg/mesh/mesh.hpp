@@ -74,7 +74,7 @@ inline namespace IRG_ABI {
 template <class T, class Indices>
 constexpr void add_face(mesh<T>& m, const Indices& positions) {
   for (const auto i : positions)
-    m.corners.push_back({static_cast<std::uint32_t>(i), mesh_corner::none, mesh_corner::none});
+    m.corners.push_back({static_cast<std::uint32_t>(i), no_index, no_index});
   m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
 

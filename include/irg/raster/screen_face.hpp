@@ -22,7 +22,7 @@ struct screen_face {
   screen_vertex v[3];
   triangle_coverage coverage;
   float depth_low = 0.0f, depth_high = 0.0f;  // no depth of the face lies outside
-  std::uint32_t number = no_face;
+  std::uint32_t number = no_index;
 };
 
 inline namespace IRG_ABI {

@@ -60,7 +60,7 @@ template <Floating T>
   for (std::size_t f = 0; f < m.face_count(); ++f)
     for (std::size_t k = 0, count = m.face_size(f); k < count; ++k) {
       const std::uint32_t from = m.corner(f, k).position, to = m.corner(f, k + 1 < count ? k + 1 : 0).position;
-      b.shape.corners.push_back({from, mesh_corner::none, mesh_corner::none});
+      b.shape.corners.push_back({from, no_index, no_index});
       if (from != to) b.edges.push_back(from < to ? stored_edge{from, to} : stored_edge{to, from});
     }
   const auto before = [](const stored_edge& a, const stored_edge& c) {

@@ -456,7 +456,7 @@ constexpr void collect_result(solid_boolean_result<T>& out, const Cut& cut, cons
         out.value.positions.push_back({converted<T>(p.x), converted<T>(p.y), converted<T>(p.z)});
         out.corners.push_back(origin_of_corner(cut, b, v));
       }
-      out.value.corners.push_back({number[v], mesh_corner::none, mesh_corner::none});
+      out.value.corners.push_back({number[v], no_index, no_index});
     }
     out.value.face_starts.push_back(static_cast<std::uint32_t>(out.value.corners.size()));
     out.faces.push_back({b.body[from.source], b.face[from.source], from.turned});

@@ -54,13 +54,13 @@ namespace irg::detail::inline IRG_ABI {
 template <Floating T>
 constexpr std::vector<mesh<T>> meshes_of_shells(const mesh<T>& m, const half_edge_shells& shells) {
   std::vector<mesh<T>> each(shells.count, mesh<T>{});
-  std::vector<std::uint32_t> number(m.positions.size(), mesh_corner::none), corners;
+  std::vector<std::uint32_t> number(m.positions.size(), no_index), corners;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     mesh<T>& shell = each[shells.of_face[f]];
     corners.clear();
     for (std::size_t k = 0; k < m.face_size(f); ++k) {
       const std::uint32_t v = m.corner(f, k).position;
-      if (number[v] == mesh_corner::none) {
+      if (number[v] == no_index) {
         number[v] = static_cast<std::uint32_t>(shell.positions.size());
         shell.positions.push_back(m.positions[v]);
       }

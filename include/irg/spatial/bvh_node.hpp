@@ -49,7 +49,7 @@ struct alignas(32) bvh_node {
 
 /// A tree of boxes, made by build_bvh.
 /// shape   nodes[0] is the root, and a node stands before those in it; the primitives of a leaf are those of the order
-///         from first_place on, bvh_node::none behind them up to a multiple of four. Boxes are in units of 1/scale, a
+///         from first_place on, no_index behind them up to a multiple of four. Boxes are in units of 1/scale, a
 ///         power of two: no coordinate is larger than 1. Where primitives are in several leaves, earlier[i] is the
 ///         place of the last reference before that at place i of the order to the same primitive, and block b is that
 ///         of the leaf with box boxes[b] % 8 of nodes[boxes[b] / 8]; without such both are empty

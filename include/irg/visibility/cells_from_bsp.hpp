@@ -139,11 +139,11 @@ private:
   constexpr void find_leaves() {
     std::vector<open_part> open;
     const auto window = static_cast<std::uint32_t>(tree_.nodes().size());
-    open.push_back({tree_.nodes().empty() ? bsp_none : 0, {window, window + 1, window + 2, window + 3}});
+    open.push_back({tree_.nodes().empty() ? no_index : 0, {window, window + 1, window + 2, window + 3}});
     while (!open.empty()) {
       const auto [n, sides] = std::move(open.back());
       open.pop_back();
-      if (n == bsp_none) {
+      if (n == no_index) {
         leaves_.push_back(leaf{});
         leaves_.back().sides = sides;
         continue;
@@ -194,8 +194,8 @@ private:
     for (std::uint32_t i = node.first; i < node.last; ++i) {
       const bsp_piece_2d& p = tree_.pieces()[i];
       const segment<T, 2>& s = walls_[p.segment];
-      const point<T, 2> a = p.from == bsp_none ? s.a : *intersection_point(s, walls_[p.from]),
-                        b = p.to == bsp_none ? s.b : *intersection_point(s, walls_[p.to]);
+      const point<T, 2> a = p.from == no_index ? s.a : *intersection_point(s, walls_[p.from]),
+                        b = p.to == no_index ? s.b : *intersection_point(s, walls_[p.to]);
       out.push_back(comes_before(lines_[n], a, b) ? segment<T, 2>{a, b} : segment<T, 2>{b, a});
     }
     std::sort(out.begin(), out.end(), [&](const auto& u, const auto& v) { return comes_before(lines_[n], u.a, v.a); });

@@ -14,8 +14,8 @@
 
 namespace irg {
 
-/// What a viewer on a line sees: the places of the nearest points below and above in a sorted list, where there are any,
-/// and how many points stand where the viewer does.
+/// What a viewer on a line sees: the places of the nearest points below and above in a sorted list, where there are
+/// any, and how many points stand where the viewer does.
 struct line_neighbours {
   std::optional<std::size_t> below{}, above{};
   std::size_t here = 0;
