@@ -17,7 +17,9 @@ TEST_CASE("triangle_indices: three words in a row, all of them compared") {
 }
 
 TEST_CASE("sign_of and opposite: of every word that is a sign") {
-  const auto turns = [](auto word) { return sign_of(opposite(word)) == -sign_of(word) && opposite(opposite(word)) == word; };
+  const auto turns = [](auto word) {
+    return sign_of(opposite(word)) == -sign_of(word) && opposite(opposite(word)) == word;
+  };
   CHECK_BOTH((sign_of(irg::side::below) == -1 && sign_of(irg::facing::front) == 1));
   CHECK_BOTH((opposite(irg::side::above) == irg::side::below && opposite(irg::side::on) == irg::side::on));
   CHECK((turns(irg::side::above) && turns(irg::location::inside) && turns(irg::facing::back)));

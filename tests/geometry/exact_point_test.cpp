@@ -44,7 +44,8 @@ TEST_CASE("exact_point: crossings, their sides and orders, at compile time, too"
     const exact_point o(place{0, 0, 0}), a(place{1, 2, 3}), b(place{1, 2, 3.5});
     return irg::orientation_along(0, o, third, a) == 0 && irg::orientation_along(2, o, third, a) == 0 &&
            irg::orientation_along(0, o, third, b) == 1 && irg::compare_along(1, third, a) == -1 &&
-           irg::compare_along(1, third, third) == 0 && irg::side_of_plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, third) == irg::side::on;
+           irg::compare_along(1, third, third) == 0 &&
+           irg::side_of_plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, third) == irg::side::on;
   }());
   CHECK_BOTH(irg::side_of_plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, exact_point(place{0, 0, 5e-324})) == irg::side::above);
   CHECK_BOTH(exact_point::mean_of(exact_point(place{3, 0, 0}), exact_point(place{0, 6, 0}), exact_point(place{0, 0, 9}))

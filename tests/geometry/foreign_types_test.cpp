@@ -273,17 +273,14 @@ std::map<std::string, bool> calls(const V& values) {
   call("inverse_depth_steps", FOREIGN_CALL(irg::inverse_depth_steps(v.plane, 5.0)));
   call("central_projection_onto_checked",
        FOREIGN_CALL(irg::central_projection_onto_checked(v.plane, irg::point<double, 3>{1, 2, 9})));
-  call("central_projection_onto",
-       FOREIGN_CALL(irg::central_projection_onto(v.plane, irg::point<double, 3>{1, 2, 9})));
-  call("parallel_projection_onto",
-       FOREIGN_CALL(irg::parallel_projection_onto(v.plane, irg::vec<double, 3>{1, 2, 9})));
+  call("central_projection_onto", FOREIGN_CALL(irg::central_projection_onto(v.plane, irg::point<double, 3>{1, 2, 9})));
+  call("parallel_projection_onto", FOREIGN_CALL(irg::parallel_projection_onto(v.plane, irg::vec<double, 3>{1, 2, 9})));
   call("parallel_projection_onto_checked",
        FOREIGN_CALL(irg::parallel_projection_onto_checked(v.plane, irg::vec<double, 3>{1, 2, 9})));
   call("plane_by_inversion", FOREIGN_CALL(irg::plane_by_inversion(v.h, v.h2, v.h3)));
   call("projection_onto_plane_checked",
        FOREIGN_CALL(irg::projection_onto_plane_checked(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
-  call("projection_onto_plane",
-       FOREIGN_CALL(irg::projection_onto_plane(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
+  call("projection_onto_plane", FOREIGN_CALL(irg::projection_onto_plane(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
   call("shadow_matrix", FOREIGN_CALL(irg::shadow_matrix(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
   call("shadow_matrix_checked", FOREIGN_CALL(irg::shadow_matrix_checked(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
   return taken;

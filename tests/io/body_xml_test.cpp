@@ -68,8 +68,7 @@ TEST_CASE("body xml: a triangle by hand, at compile time, too") {
     return std::string_view(b.name) == "a & b!" &&
            b.shape.positions == std::vector<irg::point<float, 3>>{{0, 0, 0}, {1, 0, 0}, {0, 1, -0.5f}} &&
            b.edges == std::vector<irg::stored_edge>{{0, 2}} && b.shape.face_count() == 2 && b.surface_of_face[0] == 0 &&
-           b.surface_of_face[1] == irg::no_index &&
-           b.surfaces[0].colour == rgba8{255, 128, 0, 255} &&
+           b.surface_of_face[1] == irg::no_index && b.surfaces[0].colour == rgba8{255, 128, 0, 255} &&
            b.surfaces[0].reflection.diffuse == irg::rgb<float>{1, 0.5f, 0.25f} &&
            b.surfaces[0].reflection.ambient == irg::rgb<float>{1, 1, 1} && b.surfaces[0].reflection.shininess == 40;
   }());

@@ -18,8 +18,8 @@
 using irg::inverse_accurate;
 using irg::lu_solve_refined;
 using irg::mat;
-using irg::system_status;
 using irg::solve_gauss;
+using irg::system_status;
 using irg::vec;
 
 TEST_CASE("mixed systems: a negligible entry hides no good column") {
@@ -198,8 +198,8 @@ TEST_CASE_TEMPLATE("mixed systems: singular ones are told apart", T, double, flo
       const auto left = irg::generate_mat<T, N, N>([&](int y, int x) { return a(y, x); });
       const auto right = irg::generate_coordinates<vec<T, N>>([&](int y) { return a(y, N); });
       const auto exact = irg::solve_exact(a), got = solve_gauss(a);
-      wrong +=
-          got.status != exact.status || got.rank != exact.rank || lu_solve_refined(left, right) || inverse_accurate(left);
+      wrong += got.status != exact.status || got.rank != exact.rank || lu_solve_refined(left, right) ||
+               inverse_accurate(left);
       singular += exact ? 0 : 1;
       inconsistent += exact.status == system_status::inconsistent ? 1 : 0;
     }
@@ -301,8 +301,8 @@ TEST_CASE("mixed systems: integers times 0.1 with zeros anywhere, against ranks 
       const auto whole = integer_system<N>(r);
       const int rank = rank_of<N>(whole, N);
       const system_status kind = rank == N                         ? system_status::ok
-                               : rank_of<N>(whole, N + 1) > rank ? system_status::inconsistent
-                                                                 : system_status::dependent;
+                                 : rank_of<N>(whole, N + 1) > rank ? system_status::inconsistent
+                                                                   : system_status::dependent;
       auto a = irg::generate_mat<double, N, N + 1>([&](int y, int x) {
         const auto entry = static_cast<double>(whole(y, x));
         return i % 3 == 0 ? entry * 0.1 : i % 3 == 1 ? entry / 10 : entry / 7;
@@ -325,7 +325,7 @@ TEST_CASE("mixed systems: integers times 0.1 with zeros anywhere, against ranks 
         const auto dynamic = solve(left, b);
         wrong += static_cast<bool>(dynamic) != (kind == system_status::ok) ||
                  (!dynamic && dynamic.error() != (kind == system_status::dependent ? irg::matrix_error::dependent
-                                                                                 : irg::matrix_error::inconsistent));
+                                                                                   : irg::matrix_error::inconsistent));
       }
       singular += rank < N ? 1 : 0;
       inconsistent += kind == system_status::inconsistent ? 1 : 0;

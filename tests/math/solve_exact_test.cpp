@@ -14,8 +14,8 @@
 #include "support/random.hpp"
 
 using irg::mat;
-using irg::system_status;
 using irg::solve_exact;
+using irg::system_status;
 using irg::vec;
 
 namespace {

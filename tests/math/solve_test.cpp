@@ -11,8 +11,8 @@
 #include "support/rational.hpp"
 
 using irg::mat;
-using irg::system_status;
 using irg::solve_gauss;
+using irg::system_status;
 using irg::vec;
 using test::rational;
 
@@ -37,8 +37,10 @@ TEST_CASE("solve_gauss: the course's exercise 2, and Hank's values") {
   CHECK_BOTH(solve_gauss(mat<R, 2, 3>{{{1, 2, 3}, {2, 4, 6}}}).status == system_status::dependent);
   CHECK_BOTH(solve_gauss(mat<R, 2, 3>{{{1, 2, 3}, {2, 4, 6}}}).rank == 1);
   // The same in floats.
-  CHECK_BOTH(solve_gauss(rows3<double>{{{1, 1, 1, 6}, {2, 2, 2, 12}, {1, -1, 0, 0}}}).status == system_status::dependent);
-  CHECK_BOTH(solve_gauss(rows3<float>{{{1, 1, 1, 6}, {2, 2, 2, 13}, {1, -1, 0, 0}}}).status == system_status::inconsistent);
+  CHECK_BOTH(solve_gauss(rows3<double>{{{1, 1, 1, 6}, {2, 2, 2, 12}, {1, -1, 0, 0}}}).status ==
+             system_status::dependent);
+  CHECK_BOTH(solve_gauss(rows3<float>{{{1, 1, 1, 6}, {2, 2, 2, 13}, {1, -1, 0, 0}}}).status ==
+             system_status::inconsistent);
   CHECK_BOTH(solve_gauss(rows3<double>{{{0, 2, 1, 7}, {1, 1, 1, 6}, {2, 0, -1, -1}}}).x == vec<double, 3>{1, 2, 3});
   CHECK_BOTH(solve_gauss(mat<float, 2, 2>{{{1, 2}, {3, 4}}}, vec<float, 2>{5, 11}).x == vec<float, 2>{1, 2});
 }

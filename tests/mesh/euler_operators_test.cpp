@@ -194,8 +194,9 @@ TEST_CASE("Euler operators: 20,000 steps at random, each sound and true to Euler
           if (done) --e.faces, ++e.rings;
           break;
         default:
-          done = irg::make_face_kill_ring_hole(
-                     b, static_cast<std::uint32_t>(r.integer(0, std::int64_t(b.loops.size())))).has_value();
+          done =
+              irg::make_face_kill_ring_hole(b, static_cast<std::uint32_t>(r.integer(0, std::int64_t(b.loops.size()))))
+                  .has_value();
           if (done) ++e.faces, --e.rings;
       }
       counts[which] += done ? 1u : 0u;

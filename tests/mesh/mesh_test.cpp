@@ -11,8 +11,7 @@ namespace {
 static_assert(irg::Mesh<irg::mesh<float>> && irg::Mesh<irg::mesh<double>> && irg::Mesh<irg::mesh<int>>);
 static_assert(!irg::Coordinates<irg::mesh<float>>);
 static_assert(std::same_as<irg::mesh_traits<irg::mesh<double>>::point, irg::point<double, 3>>);
-static_assert(irg::mesh_corner{}.normal == irg::no_index &&
-              irg::mesh_corner{}.texcoord == irg::no_index);
+static_assert(irg::mesh_corner{}.normal == irg::no_index && irg::mesh_corner{}.texcoord == irg::no_index);
 
 // A pyramid on a square: one face of four corners and four of three.
 constexpr irg::mesh<int> pyramid() {

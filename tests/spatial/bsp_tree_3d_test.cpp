@@ -18,8 +18,8 @@ namespace {
 
 using P = test::space_point;
 using tree = irg::bsp_tree_3d<double>;
-using irg::no_index;
 using irg::bsp_order;
+using irg::no_index;
 
 constexpr int order_from(const P& eye, bsp_order which) {
   // A floor, a wall through it, and a triangle beside both.

@@ -110,8 +110,7 @@ TEST_CASE("build_bvh: the same tree for every executor; refit") {
 }
 
 std::size_t references(const irg::bvh& tree) {
-  return tree.order.size() -
-         static_cast<std::size_t>(std::count(tree.order.begin(), tree.order.end(), irg::no_index));
+  return tree.order.size() - static_cast<std::size_t>(std::count(tree.order.begin(), tree.order.end(), irg::no_index));
 }
 
 // How many of the boxes' corners and centres lie in no leaf with the box, or come with it more than once.

@@ -63,8 +63,7 @@ TEST_CASE("studio events: the first free number, whatever names there are, many 
   for (int i = 0; i < 300; ++i) {
     small.name = wanted[(i * i + i / 7) % 11];
     std::string free(small.name);
-    for (int n = 2; irg::find_body(s, free); ++n)
-      free = std::string(small.name) + '(' + std::to_string(n) + ')';
+    for (int n = 2; irg::find_body(s, free); ++n) free = std::string(small.name) + '(' + std::to_string(n) + ')';
     CHECK(apply_event(s, irg::load_body<double>{small}) == done);
     CHECK(s.bodies.back().body.name == irg::part_name(free));
     if (s.bodies.size() > 40) CHECK(apply_event(s, irg::drop_body{s.bodies[9].body.name}) == done);

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include <irg/core/coordinates.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/math/exact/quotients_of.hpp>
 #include <irg/math/exact/sign_of.hpp>
@@ -46,7 +47,7 @@ template <Floating T>
 template <Scalar T>
   requires(Floating<T> || !std::is_arithmetic_v<T>)
 [[nodiscard]] constexpr std::optional<side> side_of_crossing(const segment<T, 2>& first, const segment<T, 2>& second,
-                                                            const segment<T, 2>& of) noexcept(Floating<T>) {
+                                                             const segment<T, 2>& of) noexcept(Floating<T>) {
   // With f and g twice the areas that `second` spans with a and b, the crossing is (g*a - f*b)/(g - f): its side of a
   // line is the same mean of the sides of a and b.
   const auto [apart, beside] = sign_of<4>(

@@ -171,7 +171,7 @@ private:
                                          const basic_exact_point<W>& r) noexcept;
   template <class W>
   friend constexpr side side_of_plane(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
-                                     const basic_exact_point<W>& p) noexcept;
+                                      const basic_exact_point<W>& p) noexcept;
 
   std::vector<Word> words_;
   part parts_[4]{};  // the divisor first
@@ -208,7 +208,8 @@ template <class W>
 /// exact   always
 template <class W>
 [[nodiscard]] IRG_APART constexpr side side_of_plane(const point<double, 3>& a, const point<double, 3>& b,
-                                                    const point<double, 3>& c, const basic_exact_point<W>& p) noexcept {
+                                                     const point<double, 3>& c,
+                                                     const basic_exact_point<W>& p) noexcept {
   using exact = basic_exact_point<W>;
   using number = typename exact::wide;
   const auto base = exact::template vector_of<number>(a);

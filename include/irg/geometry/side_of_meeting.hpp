@@ -35,8 +35,8 @@ template <class N, class T, class F>
 /// cost    some 0.3 us; where the point is nearly on the plane, a polynomial of degree 9 in exact numbers
 template <Floating T>
 [[nodiscard]] constexpr std::optional<side> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
-                                                           const plane_points<T>& third,
-                                                           const plane_points<T>& of) noexcept {
+                                                            const plane_points<T>& third,
+                                                            const plane_points<T>& of) noexcept {
   // In shares of the corners of the first plane, which sum up to 1, every other plane is a linear equation whose
   // coefficients are the corners' distances from it; so the point is the cross product of two of these.
   const auto [apart, beside] = sign_of<9>(

@@ -32,7 +32,7 @@ constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v);
 /// gives   the half-edge to the new vertex; nothing, and b as it was, when the two do not leave the same vertex
 template <Scalar T>
 constexpr std::optional<std::uint32_t> make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
-                                         const point<T, 3>& p);
+                                                        const point<T, 3>& p);
 
 /// The same from a vertex without edges.
 template <Scalar T>
@@ -72,7 +72,8 @@ constexpr std::optional<std::uint32_t> make_edge_kill_ring(half_edge_mesh<T>& b,
 /// A face becomes a ring of another (kfmrh): joins two shells, or makes a hole through one.
 /// gives   the ring; nothing, and b as it was, when the two are the same or `face` has rings
 template <Scalar T>
-constexpr std::optional<std::uint32_t> kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face, std::uint32_t into);
+constexpr std::optional<std::uint32_t> kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face,
+                                                                std::uint32_t into);
 
 /// Undoes kill_face_make_ring_hole (mfkrh): a ring becomes the outer loop of a new face.
 /// gives   the face; nothing, and b as it was, when the loop is no ring
@@ -229,7 +230,7 @@ constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v) {
 
 template <Scalar T>
 constexpr std::optional<std::uint32_t> make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
-                                         const point<T, 3>& p) {
+                                                        const point<T, 3>& p) {
   detail::euler_editor<T> edit(b);
   if (!edit.is_edge(first) || !edit.is_edge(last) || b.origin(first) != b.origin(last)) return std::nullopt;
   const std::uint32_t v = b.origin(first), w = edit.add_vertex(p), there = edit.add_edge(v, w), back = there + 1;
@@ -308,8 +309,7 @@ constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
   detail::euler_editor<T> edit(b);
   if (!edit.is_edge(h)) return false;
   const std::uint32_t back = b.twin(h), keep = b.face(h), drop = b.face(back);
-  if (keep == no_index || drop == no_index || keep == drop || b.faces[drop] != edit.loop(back))
-    return false;
+  if (keep == no_index || drop == no_index || keep == drop || b.faces[drop] != edit.loop(back)) return false;
   const std::uint32_t l = edit.loop(h), gone = edit.loop(back), after = b.next(back), next = b.next(h);
   edit.take_off(gone);
   if (b.faces[drop] != no_index) edit.add_rings(keep, b.faces[drop]);
@@ -384,7 +384,8 @@ constexpr std::optional<std::uint32_t> make_edge_kill_ring(half_edge_mesh<T>& b,
 }
 
 template <Scalar T>
-constexpr std::optional<std::uint32_t> kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face, std::uint32_t into) {
+constexpr std::optional<std::uint32_t> kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face,
+                                                                std::uint32_t into) {
   detail::euler_editor<T> edit(b);
   if (face == into || !edit.is_face(face) || !edit.is_face(into)) return std::nullopt;
   const std::uint32_t l = b.faces[face];

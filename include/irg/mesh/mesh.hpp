@@ -73,8 +73,7 @@ inline namespace IRG_ABI {
 /// needs   three or more indices, each < positions.size()
 template <class T, class Indices>
 constexpr void add_face(mesh<T>& m, const Indices& positions) {
-  for (const auto i : positions)
-    m.corners.push_back({static_cast<std::uint32_t>(i), no_index, no_index});
+  for (const auto i : positions) m.corners.push_back({static_cast<std::uint32_t>(i), no_index, no_index});
   m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
 

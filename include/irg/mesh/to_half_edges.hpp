@@ -104,8 +104,7 @@ private:
         return 2 * *e + 1;
       }
       if (there.origin == a && back.origin == b)
-        status =
-            back.loop == no_index ? half_edge_status::faces_turned_apart : half_edge_status::edge_of_many_faces;
+        status = back.loop == no_index ? half_edge_status::faces_turned_apart : half_edge_status::edge_of_many_faces;
     }
     if (a == b) status = half_edge_status::corner_repeated;
     const auto h = static_cast<std::uint32_t>(made.half_edges.size());

@@ -62,10 +62,8 @@ template <Scalar T>
     for (std::size_t k = 0; k < end - start; ++k) {
       const mesh_corner& c = m.corners[start + k];
       if (c.position >= m.positions.size()) return {mesh_defect::position_out_of_range, f, k};
-      if (c.normal != no_index && c.normal >= m.normals.size())
-        return {mesh_defect::normal_out_of_range, f, k};
-      if (c.texcoord != no_index && c.texcoord >= m.texcoords.size())
-        return {mesh_defect::texcoord_out_of_range, f, k};
+      if (c.normal != no_index && c.normal >= m.normals.size()) return {mesh_defect::normal_out_of_range, f, k};
+      if (c.texcoord != no_index && c.texcoord >= m.texcoords.size()) return {mesh_defect::texcoord_out_of_range, f, k};
     }
   }
   if (m.face_starts.back() != m.corners.size()) return {mesh_defect::bad_face_start, m.face_count()};

@@ -44,9 +44,8 @@ constexpr bool is_in_steps(const Steps& steps, const std::vector<unsigned char>&
   scratch.clear();
   const auto is_in = [&](std::uint32_t s) { return s != no_index && scratch[s] != 0; };
   for (const csg_step& step : steps) {
-    const bool value = step.body != no_index
-                           ? in[step.body] != 0
-                           : is_in_combination(is_in(step.first), is_in(step.second), step.operation);
+    const bool value = step.body != no_index ? in[step.body] != 0
+                                             : is_in_combination(is_in(step.first), is_in(step.second), step.operation);
     scratch.push_back(value ? 1 : 0);
   }
   return !scratch.empty() && scratch.back() != 0;
@@ -70,8 +69,7 @@ template <Floating T>
     first.steps.push_back(step);
   }
   const auto last = [](std::size_t size) { return size == 0 ? no_index : static_cast<std::uint32_t>(size - 1); };
-  first.steps.push_back(
-      {no_index, operation, last(steps), second.steps.empty() ? no_index : last(first.steps.size())});
+  first.steps.push_back({no_index, operation, last(steps), second.steps.empty() ? no_index : last(first.steps.size())});
   return first;
 }
 

@@ -174,8 +174,8 @@ template <Plane P>
 /// needs   as projection_onto_plane
 template <Plane P>
   requires Real<plane_scalar<P>>
-[[nodiscard]] constexpr auto shadow_matrix(
-    const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& light_position) noexcept {
+[[nodiscard]] constexpr auto shadow_matrix(const P& onto,
+                                           const hpoint<typename plane_traits<P>::scalar, 3>& light_position) noexcept {
   return projection_onto_plane(onto, light_position);
 }
 
