@@ -51,6 +51,9 @@ struct clipped_rings {
   polygon_clip_status status = polygon_clip_status::ok;
   std::vector<std::vector<point<T, 2>>> rings{};
   polygon_overlay_counts counts{};
+
+  /// Whether the rings are what was asked for.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == polygon_clip_status::ok; }
   bool operator==(const clipped_rings&) const = default;
 };
 

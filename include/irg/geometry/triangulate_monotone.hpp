@@ -31,6 +31,9 @@ enum class [[nodiscard]] triangulation_status {
 struct triangulation {
   triangulation_status status = triangulation_status::ok;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  /// Whether the triangles make up the polygon.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == triangulation_status::ok; }
   constexpr bool operator==(const triangulation&) const = default;
 };
 

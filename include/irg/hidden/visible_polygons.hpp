@@ -24,9 +24,9 @@ namespace irg {
 
 /// A ring of a visible region: `count` corners from corners[first] on.
 /// shape   the region lies on one side of it: outer rings have a positive signed area (clockwise as seen, y being
-///         down), rings of holes a negative one. no_face is the background
+///         down), rings of holes a negative one. no_index is the background
 struct visible_ring {
-  std::uint32_t number = no_face;
+  std::uint32_t number = no_index;
   std::size_t first = 0, count = 0;
   constexpr bool operator==(const visible_ring&) const = default;
 };

@@ -16,10 +16,10 @@ namespace irg {
 
 /// One corner of a face: indices into positions, normals and texcoords. Ordered by these, in this order.
 struct mesh_corner {
-  static constexpr std::uint32_t none = no_index;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
   std::uint32_t position = 0;
-  std::uint32_t normal = none;
-  std::uint32_t texcoord = none;
+  std::uint32_t normal = no_index;
+  std::uint32_t texcoord = no_index;
   constexpr bool operator==(const mesh_corner&) const = default;
   IRG_INLINE constexpr bool operator<(const mesh_corner& o) const noexcept {
     if (position != o.position) return position < o.position;
@@ -77,8 +77,7 @@ inline namespace IRG_ABI {
 /// needs   three or more indices, each < positions.size()
 template <class T, class Indices>
 constexpr void add_face(mesh<T>& m, const Indices& positions) {
-  for (const auto i : positions)
-    m.corners.push_back({static_cast<std::uint32_t>(i), mesh_corner::none, mesh_corner::none});
+  for (const auto i : positions) m.corners.push_back({static_cast<std::uint32_t>(i), no_index, no_index});
   m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
 

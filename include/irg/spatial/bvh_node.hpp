@@ -16,7 +16,8 @@ namespace irg {
 ///         nothing are empty
 struct alignas(32) bvh_node {
   static constexpr int width = 8;
-  static constexpr std::uint32_t none = no_index, leaf = 0x80000000;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  static constexpr std::uint32_t leaf = 0x80000000;
   static constexpr std::uint32_t block = 4, most = 8;  // leaves take places of the order by fours, eight at most
 
   float bounds[6 * width];
@@ -48,7 +49,7 @@ struct alignas(32) bvh_node {
 
 /// A tree of boxes, made by build_bvh.
 /// shape   nodes[0] is the root, and a node stands before those in it; the primitives of a leaf are those of the order
-///         from first_place on, bvh_node::none behind them up to a multiple of four. Boxes are in units of 1/scale, a
+///         from first_place on, no_index behind them up to a multiple of four. Boxes are in units of 1/scale, a
 ///         power of two: no coordinate is larger than 1. Where primitives are in several leaves, earlier[i] is the
 ///         place of the last reference before that at place i of the order to the same primitive, and block b is that
 ///         of the leaf with box boxes[b] % 8 of nodes[boxes[b] / 8]; without such both are empty

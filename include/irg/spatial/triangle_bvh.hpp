@@ -115,7 +115,7 @@ private:
     in_portions(blocks_.size(), executor, [&](std::size_t b) {
       for (std::size_t k = 0; k < width; ++k) {
         const std::uint32_t number = tree_.order[b * width + k];
-        const triangle& t = at(number == bvh_node::none ? tree_.order[b * width] : number);
+        const triangle& t = at(number == no_index ? tree_.order[b * width] : number);
         for (std::size_t corner = 0; corner < 3; ++corner)
           for (int axis = 0; axis < 3; ++axis) blocks_[b].v[corner][axis][k] = t[corner][axis];
       }
@@ -189,7 +189,7 @@ namespace irg::detail {
 // A crossing that weights are still to be found of.
 struct first_crossing {
   crossing_time time{};
-  std::uint32_t number = bvh_node::none, place = 0;  // of the triangle, and where it is among the blocks
+  std::uint32_t number = no_index, place = 0;  // of the triangle, and where it is among the blocks
   int turn = 0;
 };
 

@@ -52,6 +52,13 @@ template <Floating T>
   return {m, projection_status::ok};
 }
 
+/// The matrix that moves depth sideways; see oblique_shear_checked.
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
+template <Floating T>
+[[nodiscard]] constexpr mat<T, 4, 4> oblique_shear(const oblique_depth<T>& how) noexcept {
+  return oblique_shear_checked(how).expected();
+}
+
 /// The oblique projection of a box, or why there is none.
 /// shape   camera space to clip space with w = 1; the window lies in the plane z = plane_z, whose points come out as
 ///         orthographic_checked has them
@@ -80,7 +87,7 @@ template <Floating T>
 }
 
 /// The oblique projection of a box; see oblique_checked.
-/// needs   what makes that one ordinary; where this is broken and not caught, the identity comes out
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> oblique(const oblique_depth<T>& how, const view_window<T>& window,
                                              std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,

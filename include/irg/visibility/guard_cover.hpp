@@ -42,6 +42,9 @@ struct guard_cover {
   std::size_t at_least = 0;
   std::vector<guarded_part<T>> parts{};
   constexpr bool operator==(const guard_cover&) const = default;
+
+  /// Whether the guards see all of the plan.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == guard_status::ok; }
 };
 
 inline namespace IRG_ABI {

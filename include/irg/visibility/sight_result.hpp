@@ -58,6 +58,9 @@ struct visible_region {
   visibility_status status = visibility_status::ok;
   std::vector<sight_vertex<T>> ring{};
   constexpr bool operator==(const visible_region&) const = default;
+
+  /// Whether the source stands free; on an obstacle or the boundary, where this is false, there is a region, too.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == visibility_status::ok; }
 };
 
 /// What a visibility polygon took. Where ends lie in one direction `compared` and `crossings` may depend on the order
@@ -95,6 +98,9 @@ struct source_regions {
   std::size_t lines = 0;  // sight lines past two ends
   std::size_t skipped = 0;  // those of them at which nothing can change
   constexpr bool operator==(const source_regions&) const = default;
+
+  /// Whether the source stands free; on an obstacle or the boundary, where this is false, there are regions, too.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == visibility_status::ok; }
 };
 
 }  // namespace irg
