@@ -31,7 +31,7 @@ enum class [[nodiscard]] triangulation_status {
 struct triangulation {
   triangulation_status status = triangulation_status::ok;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  constexpr bool operator==(const triangulation&) const = default;
+  bool operator==(const triangulation&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -20,7 +20,7 @@ struct mesh_corner {
   std::uint32_t position = 0;
   std::uint32_t normal = none;
   std::uint32_t texcoord = none;
-  constexpr bool operator==(const mesh_corner&) const = default;
+  bool operator==(const mesh_corner&) const = default;
   IRG_INLINE constexpr bool operator<(const mesh_corner& o) const noexcept {
     if (position != o.position) return position < o.position;
     return normal != o.normal ? normal < o.normal : texcoord < o.texcoord;
@@ -31,7 +31,7 @@ struct mesh_corner {
 struct mesh_part {
   part_name object, group, material;
   std::size_t first_face = 0, face_count = 0;
-  constexpr bool operator==(const mesh_part&) const = default;
+  bool operator==(const mesh_part&) const = default;
 };
 
 /// Polygons that share their positions.

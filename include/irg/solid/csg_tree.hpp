@@ -19,7 +19,7 @@ struct csg_step {
   std::uint32_t body = none;  // of bodies; none for an operation
   boolean_operation operation{};
   std::uint32_t first = none, second = none;  // steps
-  constexpr bool operator==(const csg_step&) const = default;
+  bool operator==(const csg_step&) const = default;
 };
 
 /// A tree of operations as a value.

@@ -33,7 +33,7 @@ struct bsp_piece_2d {
 /// shape   left and right are nodes, or bsp_none
 struct bsp_node_2d {
   std::uint32_t segment = bsp_none, first = 0, last = 0, left = bsp_none, right = bsp_none;
-  constexpr bool operator==(const bsp_node_2d&) const = default;
+  bool operator==(const bsp_node_2d&) const = default;
 };
 
 /// The tree of some segments.

@@ -18,7 +18,7 @@ namespace irg {
 struct line_neighbours {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::size_t below = none, above = none, here = 0;
-  constexpr bool operator==(const line_neighbours&) const = default;
+  bool operator==(const line_neighbours&) const = default;
 };
 
 inline namespace IRG_ABI {
