@@ -83,7 +83,7 @@ template <class E>
 /// Three indices of vertices, counter-clockwise seen from outside.
 struct triangle_indices {
   std::uint32_t v[3];
-  constexpr bool operator==(const triangle_indices&) const = default;
+  bool operator==(const triangle_indices&) const = default;
 };
 
 /// A value that is harmless always, and what its arguments amounted to. True when the value is what was asked for.

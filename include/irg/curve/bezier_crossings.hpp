@@ -25,7 +25,7 @@ struct curve_meeting {
   [[nodiscard]] IRG_APART constexpr T second_middle() const noexcept {
     return second_from + (second_to - second_from) / 2;
   }
-  constexpr bool operator==(const curve_meeting&) const = default;
+  bool operator==(const curve_meeting&) const = default;
 };
 
 /// How far to go: pieces of curves are narrow enough when their boxes are no wider than the tolerance; and how many

@@ -24,7 +24,7 @@ struct root_interval {
   int before = 0, behind = 0;
   [[nodiscard]] IRG_APART constexpr T middle() const noexcept { return from + (to - from) / 2; }
   [[nodiscard]] IRG_APART constexpr bool is_crossing() const noexcept { return before * behind < 0; }
-  constexpr bool operator==(const root_interval&) const = default;
+  bool operator==(const root_interval&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -17,7 +17,7 @@ namespace irg {
 struct flattening {
   std::size_t pieces = 0;
   bool within_tolerance = true;
-  constexpr bool operator==(const flattening&) const = default;
+  bool operator==(const flattening&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -29,7 +29,7 @@ struct bsp_counts {
   std::int64_t faces = 0, pieces = 0;  // pieces: nodes, of which faces that were split have several
   std::int64_t depth = 0;
   std::int64_t asked = 0;  // parts that were asked, one by one, on which side of a plane they lie
-  constexpr bool operator==(const bsp_counts&) const = default;
+  bool operator==(const bsp_counts&) const = default;
 };
 
 /// The faces of a window as a tree, in space as the screen sees it.

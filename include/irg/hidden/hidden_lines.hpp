@@ -24,7 +24,7 @@ namespace irg {
 /// An edge on the screen, between two vertices.
 struct screen_edge {
   screen_vertex v[2];
-  constexpr bool operator==(const screen_edge&) const = default;
+  bool operator==(const screen_edge&) const = default;
 };
 
 /// Which faces are tried for an edge: those near it that may be nearer than it, or every one.
@@ -37,7 +37,7 @@ struct hidden_line_counts {
   std::int64_t tried = 0;  // pairs of an edge and a face whose boxes meet and whose depths do not part them
   std::int64_t hiding = 0;  // pairs where the face hides something
   std::int64_t visible = 0, hidden = 0;  // parts
-  constexpr bool operator==(const hidden_line_counts&) const = default;
+  bool operator==(const hidden_line_counts&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -157,7 +157,7 @@ private:
 // The box of something on the screen, and the depth of its nearest point.
 struct screen_box {
   std::int32_t left, top, right, bottom;
-  constexpr bool operator==(const screen_box&) const = default;
+  bool operator==(const screen_box&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -22,7 +22,7 @@ using plot_text = part_name;
 struct axis_tick {
   double value = 0;
   plot_text text{};
-  constexpr bool operator==(const axis_tick&) const = default;
+  bool operator==(const axis_tick&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -19,7 +19,7 @@ namespace irg {
 /// How an OBJ text is read.
 struct obj_options {
   obj_unused unused = obj_unused::skip;
-  constexpr bool operator==(const obj_options&) const = default;
+  bool operator==(const obj_options&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -17,7 +17,7 @@ namespace irg {
 struct half_edge_shells {
   std::vector<std::uint32_t> of_face;  // from 0; none for faces that are no more
   std::uint32_t count = 0;
-  constexpr bool operator==(const half_edge_shells&) const = default;
+  bool operator==(const half_edge_shells&) const = default;
 };
 
 /// The numbers of elements of a boundary representation.
@@ -26,7 +26,7 @@ struct half_edge_shells {
 struct half_edge_counts {
   std::size_t vertices = 0, edges = 0, faces = 0, rings = 0, shells = 0, borders = 0;
   std::ptrdiff_t genus = 0;
-  constexpr bool operator==(const half_edge_counts&) const = default;
+  bool operator==(const half_edge_counts&) const = default;
 };
 
 inline namespace IRG_ABI {

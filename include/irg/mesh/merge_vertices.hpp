@@ -22,7 +22,7 @@ namespace irg {
 struct merged_vertices {
   std::vector<mesh_corner> vertices;
   std::vector<triangle_indices> triangles;
-  constexpr bool operator==(const merged_vertices&) const = default;
+  bool operator==(const merged_vertices&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -31,7 +31,7 @@ struct mesh_corner {
 struct mesh_part {
   part_name object, group, material;
   std::size_t first_face = 0, face_count = 0;
-  constexpr bool operator==(const mesh_part&) const = default;
+  bool operator==(const mesh_part&) const = default;
 };
 
 /// Polygons that share their positions.

@@ -23,14 +23,14 @@ namespace irg {
 /// How finely a plane grid is cut.
 struct grid_options {
   int columns = 10, rows = 10;  // cells along x and z; taken as 1 if less, as 4096 if more
-  constexpr bool operator==(const grid_options&) const = default;
+  bool operator==(const grid_options&) const = default;
 };
 
 /// How finely a sphere is cut: columns around the axis and layers from pole to pole.
 struct sphere_options {
   int slices = 32;  // taken as 3 if less, as 4096 if more
   int stacks = 16;  // taken as 2 if less, as 4096 if more
-  constexpr bool operator==(const sphere_options&) const = default;
+  bool operator==(const sphere_options&) const = default;
 };
 
 /// The size of a torus and how finely it is cut: around the axis (major) and around the tube (minor).

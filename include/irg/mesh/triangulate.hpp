@@ -17,7 +17,7 @@ struct triangulate_options {
   /// How many corner-in-triangle tests a face may take, times its corners, before the rest of it becomes a fan. Bounds
   /// the time that hostile faces can take; ordinary faces of 10^5 corners need a few dozen.
   std::size_t tests_per_corner = 1024;
-  constexpr bool operator==(const triangulate_options&) const = default;
+  bool operator==(const triangulate_options&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -31,7 +31,7 @@ struct mesh_finding {
   mesh_defect defect = mesh_defect::none;
   std::size_t index = 0;
   std::size_t corner = 0;
-  constexpr bool operator==(const mesh_finding&) const = default;
+  bool operator==(const mesh_finding&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -26,7 +26,7 @@ struct stored_surface {
 /// Two points that a line joins.
 struct stored_edge {
   std::uint32_t from = 0, to = 0;
-  constexpr bool operator==(const stored_edge&) const = default;
+  bool operator==(const stored_edge&) const = default;
 };
 
 /// A named body.

@@ -39,7 +39,7 @@ struct solid_face_origin {
   std::uint32_t body = 0;  // 0 or 1; in a tree, of its bodies
   std::uint32_t face = 0;  // of that body
   bool turned = false;  // looks the other way, as faces of what is taken away do
-  constexpr bool operator==(const solid_face_origin&) const = default;
+  bool operator==(const solid_face_origin&) const = default;
 };
 
 /// What a corner of the result is, without rounding.
@@ -57,7 +57,7 @@ struct solid_boolean_counts {
   std::uint64_t pairs = 0;  // of triangles, one of each of two bodies
   std::uint64_t met = 0;  // of these, pairs whose boxes have a point in common: where they meet is decided
   std::uint64_t parts = 0;  // of all bodies' surfaces, as the cuts divide them
-  constexpr bool operator==(const solid_boolean_counts&) const = default;
+  bool operator==(const solid_boolean_counts&) const = default;
 };
 
 /// A combination of bodies.

@@ -52,7 +52,7 @@ struct bsp_data_3d {
   std::vector<bsp_node_3d> nodes;  // each stands before those below it; the first one is the root
   std::vector<bsp_piece_3d> pieces;
   std::vector<bsp_limit_3d> limits;  // each stands behind its `next`
-  constexpr bool operator==(const bsp_data_3d&) const = default;
+  bool operator==(const bsp_data_3d&) const = default;
 };
 
 /// What is wrong with a tree's numbers. `index` is a number beyond its array, `flat` a triangle without area or not

@@ -34,7 +34,7 @@ enum class bsp_order { back_to_front, front_to_back };
 struct bsp_options {
   std::size_t candidates = 8, judges = 32;
   std::size_t cut_costs = 4;  // as much as so many more on one side than on the other
-  constexpr bool operator==(const bsp_options&) const = default;
+  bool operator==(const bsp_options&) const = default;
 };
 
 /// What lies at the two sides of a line or plane: cells of bsp_open_cells, or no_index.
@@ -46,7 +46,7 @@ struct bsp_halves {
 /// How many items lie where: in front of a line or plane, behind it, and on both sides.
 struct bsp_sides {
   std::size_t front = 0, back = 0, cut = 0;
-  constexpr bool operator==(const bsp_sides&) const = default;
+  bool operator==(const bsp_sides&) const = default;
 };
 
 /// What some items lie in: a box, and the slab low <= normal . p <= high across the direction in which they are thin.

@@ -27,7 +27,7 @@ struct bvh_options {
   int bins = 16;  // 2 to 32: places along each axis at which a split is tried, in ranges of many primitives
   float spare = 1;  // spatial splits, 0 to 4: at most so many more references than primitives, as a share of them
   float overlap = 1e-5f;  // and tried where two halves' boxes have that share of the whole area in common
-  constexpr bool operator==(const bvh_options&) const = default;
+  bool operator==(const bvh_options&) const = default;
 };
 
 inline namespace IRG_ABI {

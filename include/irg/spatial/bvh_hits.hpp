@@ -17,7 +17,7 @@ template <Floating T>
 struct primitive_hit {
   std::uint32_t primitive = no_index;
   T t{};
-  constexpr bool operator==(const primitive_hit&) const = default;
+  bool operator==(const primitive_hit&) const = default;
 };
 
 /// test(number, ray) gives the first t at which the ray meets a primitive, or nothing.

@@ -23,7 +23,7 @@ struct alignas(32) bvh_node {
   float bounds[6 * width];
   std::uint32_t child[width];
 
-  constexpr bool operator==(const bvh_node&) const = default;
+  bool operator==(const bvh_node&) const = default;
 
   IRG_INLINE constexpr float& low(int axis, int k) noexcept { return bounds[axis * width + k]; }
   IRG_INLINE constexpr float& high(int axis, int k) noexcept { return bounds[(3 + axis) * width + k]; }
@@ -59,7 +59,7 @@ struct bvh {
   std::vector<std::uint32_t> earlier, boxes;
   double scale = 1;
 
-  constexpr bool operator==(const bvh&) const = default;
+  bool operator==(const bvh&) const = default;
 };
 
 /// What rays have asked of trees so far: of all primitives times `rays`, those beyond `primitives` were skipped.
@@ -70,7 +70,7 @@ struct ray_counts {
   std::uint64_t nodes = 0;  // gone through, eight boxes tested in each
   std::uint64_t leaves = 0;  // come to
   std::uint64_t primitives = 0;  // in these leaves
-  constexpr bool operator==(const ray_counts&) const = default;
+  bool operator==(const ray_counts&) const = default;
 };
 
 /// Stands for ray_counts where nobody asks for them: no code is made.

@@ -28,7 +28,7 @@ namespace irg {
 struct ray_crossing {
   facing side = facing::front;
   double t = 0, weight_b = 0, weight_c = 0;
-  constexpr bool operator==(const ray_crossing&) const = default;
+  bool operator==(const ray_crossing&) const = default;
 };
 
 namespace detail {

@@ -30,7 +30,7 @@ struct triangle_blocks;
 struct triangle_hit {
   std::uint32_t triangle = 0;
   ray_crossing at{};
-  constexpr bool operator==(const triangle_hit&) const = default;
+  bool operator==(const triangle_hit&) const = default;
 };
 
 /// Triangles in a tree of boxes, for many rays.

@@ -23,7 +23,7 @@ struct oblique_depth {
   T angle = T(45) * pi<T> / T(180);
   T factor = cabinet_factor<T>;
   T plane_z = T(0);
-  constexpr bool operator==(const oblique_depth&) const = default;
+  bool operator==(const oblique_depth&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -31,7 +31,7 @@ template <Floating T>
 struct guarded_part {
   std::vector<point<T, 2>> ring{};
   std::size_t guard = 0;
-  constexpr bool operator==(const guarded_part&) const = default;
+  bool operator==(const guarded_part&) const = default;
 };
 
 /// Guards of a plan, as numbers of its corners; the least number that could do; the parts of the plan.

@@ -23,7 +23,7 @@ enum class obstacle_ends {
 struct sight_options {
   obstacle_ends ends = obstacle_ends::closed;
   fill_rule rule = fill_rule::even_odd;
-  constexpr bool operator==(const sight_options&) const = default;
+  bool operator==(const sight_options&) const = default;
 };
 
 /// How a region came about: `source_on_obstacle` and `source_on_boundary` are answered, what follows them is not.
@@ -49,7 +49,7 @@ struct sight_vertex {
   point<T, 2> at{};
   sight_stop stop = sight_stop::nothing;
   std::size_t index = 0;
-  constexpr bool operator==(const sight_vertex&) const = default;
+  bool operator==(const sight_vertex&) const = default;
 };
 
 /// A region that is seen from a point. Its ring runs counter-clockwise (y up).
@@ -80,7 +80,7 @@ struct sight_counts {
     crossings += o.crossings;
     return *this;
   }
-  constexpr bool operator==(const sight_counts&) const = default;
+  bool operator==(const sight_counts&) const = default;
 };
 
 /// How much is seen of a source from a place, or of each other from two regions: of these, whether no place in one sees
