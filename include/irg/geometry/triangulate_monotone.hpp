@@ -34,7 +34,7 @@ struct triangulation {
 
   /// Whether the triangles make up the polygon.
   IRG_INLINE constexpr explicit operator bool() const noexcept { return status == triangulation_status::ok; }
-  constexpr bool operator==(const triangulation&) const = default;
+  bool operator==(const triangulation&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -19,7 +19,7 @@ struct half_edge {
   std::uint32_t origin = no_index;  // the vertex that it leaves
   std::uint32_t next = no_index, previous = no_index;  // in its loop
   std::uint32_t loop = no_index;  // none beside the border of an open surface
-  constexpr bool operator==(const half_edge&) const = default;
+  bool operator==(const half_edge&) const = default;
 };
 
 /// A closed walk that bounds a face: the outer one, or a ring round a hole.
@@ -27,19 +27,19 @@ struct half_edge_loop {
   std::uint32_t first = no_index;  // one of its half-edges; none for a loop that is a lone vertex
   std::uint32_t face = no_index;  // none when the loop is no more
   std::uint32_t next = no_index;  // the face's next ring
-  constexpr bool operator==(const half_edge_loop&) const = default;
+  bool operator==(const half_edge_loop&) const = default;
 };
 
 /// A loop without half-edges: one vertex in a face.
 struct lone_vertex {
   std::uint32_t loop = no_index, vertex = no_index;
-  constexpr bool operator==(const lone_vertex&) const = default;
+  bool operator==(const lone_vertex&) const = default;
 };
 
 /// What a corner has besides its position: indices into normals and texcoords.
 struct half_edge_attributes {
   std::uint32_t normal = no_index, texcoord = no_index;
-  constexpr bool operator==(const half_edge_attributes&) const = default;
+  bool operator==(const half_edge_attributes&) const = default;
 };
 
 /// Vertices, edges, loops and faces, each known by its number. Half-edges 2e and 2e + 1 are the sides of edge e.

@@ -20,7 +20,7 @@ struct mesh_corner {
   std::uint32_t position = 0;
   std::uint32_t normal = no_index;
   std::uint32_t texcoord = no_index;
-  constexpr bool operator==(const mesh_corner&) const = default;
+  bool operator==(const mesh_corner&) const = default;
   IRG_INLINE constexpr bool operator<(const mesh_corner& o) const noexcept {
     if (position != o.position) return position < o.position;
     return normal != o.normal ? normal < o.normal : texcoord < o.texcoord;

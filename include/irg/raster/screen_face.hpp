@@ -23,7 +23,7 @@ struct screen_face {
   triangle_coverage coverage;
   float depth_low = 0.0f, depth_high = 0.0f;  // no depth of the face lies outside
   std::uint32_t number = no_index;
-  constexpr bool operator==(const screen_face&) const = default;
+  bool operator==(const screen_face&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -49,7 +49,7 @@ struct solid_face_origin {
 struct solid_corner_origin {
   [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
   std::uint32_t of[9] = {no_index, no_index, no_index, no_index, no_index, no_index, no_index, no_index, no_index};
-  constexpr bool operator==(const solid_corner_origin&) const = default;
+  bool operator==(const solid_corner_origin&) const = default;
 };
 
 /// What combining bodies took: of `pairs`, those beyond `met` were skipped; no triangle of a part was placed but one.

@@ -31,7 +31,7 @@ template <Floating T>
 struct solid_span {
   T from{}, to{};
   solid_face_origin entered{}, left{};  // body is no_index where the line begins or ends inside
-  constexpr bool operator==(const solid_span&) const = default;
+  bool operator==(const solid_span&) const = default;
 };
 
 inline namespace IRG_ABI {

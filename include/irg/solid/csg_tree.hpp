@@ -19,7 +19,7 @@ struct csg_step {
   std::uint32_t body = no_index;  // of bodies; none for an operation
   boolean_operation operation{};
   std::uint32_t first = no_index, second = no_index;  // steps
-  constexpr bool operator==(const csg_step&) const = default;
+  bool operator==(const csg_step&) const = default;
 };
 
 /// A tree of operations as a value.

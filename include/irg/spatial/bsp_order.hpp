@@ -40,7 +40,7 @@ struct bsp_options {
 /// What lies at the two sides of a line or plane: cells of bsp_open_cells, or no_index.
 struct bsp_halves {
   std::uint32_t front = no_index, back = no_index;
-  constexpr bool operator==(const bsp_halves&) const = default;
+  bool operator==(const bsp_halves&) const = default;
 };
 
 /// How many items lie where: in front of a line or plane, behind it, and on both sides.

@@ -33,7 +33,7 @@ struct bsp_piece_2d {
 /// shape   left and right are nodes, or no_index
 struct bsp_node_2d {
   std::uint32_t segment = no_index, first = 0, last = 0, left = no_index, right = no_index;
-  constexpr bool operator==(const bsp_node_2d&) const = default;
+  bool operator==(const bsp_node_2d&) const = default;
 };
 
 /// The tree of some segments.

@@ -41,7 +41,7 @@ struct guard_cover {
   std::vector<std::size_t> guards{};
   std::size_t at_least = 0;
   std::vector<guarded_part<T>> parts{};
-  constexpr bool operator==(const guard_cover&) const = default;
+  bool operator==(const guard_cover&) const = default;
 
   /// Whether the guards see all of the plan.
   IRG_INLINE constexpr explicit operator bool() const noexcept { return status == guard_status::ok; }

@@ -57,7 +57,7 @@ template <Floating T>
 struct visible_region {
   visibility_status status = visibility_status::ok;
   std::vector<sight_vertex<T>> ring{};
-  constexpr bool operator==(const visible_region&) const = default;
+  bool operator==(const visible_region&) const = default;
 
   /// Whether the source stands free; on an obstacle or the boundary, where this is false, there is a region, too.
   IRG_INLINE constexpr explicit operator bool() const noexcept { return status == visibility_status::ok; }
@@ -97,7 +97,7 @@ struct source_regions {
   std::vector<std::vector<point<T, 2>>> none{};  // umbra
   std::size_t lines = 0;  // sight lines past two ends
   std::size_t skipped = 0;  // those of them at which nothing can change
-  constexpr bool operator==(const source_regions&) const = default;
+  bool operator==(const source_regions&) const = default;
 
   /// Whether the source stands free; on an obstacle or the boundary, where this is false, there are regions, too.
   IRG_INLINE constexpr explicit operator bool() const noexcept { return status == visibility_status::ok; }

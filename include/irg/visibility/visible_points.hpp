@@ -19,7 +19,7 @@ namespace irg {
 struct line_neighbours {
   std::optional<std::size_t> below{}, above{};
   std::size_t here = 0;
-  constexpr bool operator==(const line_neighbours&) const = default;
+  bool operator==(const line_neighbours&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -95,7 +95,7 @@ struct obj_line {
 /// How many of each kind of vertex data there are; until the end of the text is reached, as many as indices can name.
 struct IRG_APART obj_counts {
   std::size_t positions = no_index, texcoords = no_index, normals = no_index;
-  constexpr bool operator==(const obj_counts&) const = default;
+  bool operator==(const obj_counts&) const = default;
 
   constexpr bool reach(const obj_counts& o) const noexcept {
     return positions >= o.positions && texcoords >= o.texcoords && normals >= o.normals;
