@@ -78,7 +78,7 @@ inline picture ids() {
   picture small(width, height, paper);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      if (ids(x, y) == irg::no_face) continue;
+      if (ids(x, y) == irg::no_index) continue;
       const std::uint32_t mixed = (ids(x, y) + 1) * 2654435761u;
       small(x, y) = {static_cast<std::uint8_t>(90 + (mixed >> 8) % 140),
                      static_cast<std::uint8_t>(90 + (mixed >> 15) % 140),

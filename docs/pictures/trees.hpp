@@ -35,7 +35,7 @@ inline void frames(picture& p, const irg::bvh& tree, std::uint32_t at, int level
   const std::array colours{red, irg::rgba8{214, 140, 40, 255}, green, grey};
   for (int k = 0; k < irg::bvh_node::width; ++k) {
     const irg::bvh_node& n = tree.nodes[at];
-    if (n.child[k] == irg::bvh_node::none) continue;
+    if (n.child[k] == irg::no_index) continue;
     const double x0 = static_cast<double>(n.low(0, k)) / tree.scale + left,
                  y0 = static_cast<double>(n.low(1, k)) / tree.scale,
                  x1 = static_cast<double>(n.high(0, k)) / tree.scale + left,
@@ -85,7 +85,7 @@ inline picture parts() {
     const irg::triangle_bvh<double> tree(std::span<const corners>{slats}, config);
     for (const irg::bvh_node& n : tree.tree().nodes)
       for (int k = 0; k < irg::bvh_node::width; ++k) {
-        if (n.child[k] == irg::bvh_node::none || !irg::bvh_node::is_leaf(n.child[k])) continue;
+        if (n.child[k] == irg::no_index || !irg::bvh_node::is_leaf(n.child[k])) continue;
         const double scale = 1 / tree.tree().scale, x0 = static_cast<double>(n.low(0, k)) * scale + left,
                      y0 = static_cast<double>(n.low(1, k)) * scale,
                      x1 = static_cast<double>(n.high(0, k)) * scale + left,

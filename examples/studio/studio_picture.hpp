@@ -143,17 +143,17 @@ constexpr mesh<T> part_of_mesh(const mesh<T>& m, std::span<const std::uint32_t> 
   for (const std::uint32_t f : faces) {
     for (std::size_t k = 0; k < m.face_size(f); ++k) {
       const std::uint32_t p = m.corner(f, k).position;
-      if (number[p] == mesh_corner::none) {
+      if (number[p] == no_index) {
         number[p] = static_cast<std::uint32_t>(out.positions.size());
         out.positions.push_back(m.positions[p]);
         out.normals.push_back(m.normals[p]);
       }
-      out.corners.push_back({number[p], number[p], mesh_corner::none});
+      out.corners.push_back({number[p], number[p], no_index});
     }
     out.face_starts.push_back(static_cast<std::uint32_t>(out.corners.size()));
   }
   for (const std::uint32_t f : faces)
-    for (std::size_t k = 0; k < m.face_size(f); ++k) number[m.corner(f, k).position] = mesh_corner::none;
+    for (std::size_t k = 0; k < m.face_size(f); ++k) number[m.corner(f, k).position] = no_index;
   return out;
 }
 
@@ -167,7 +167,7 @@ constexpr void place_body(placed_body<T>& p, const stored_body<T>& b, const mat<
     mesh<T> smooth = made.shape;
     assign_vertex_normals(smooth, normal_weight::average);
     const faces_by_surface faces(b.surface_of_face, surfaces);
-    std::vector<std::uint32_t> number(smooth.positions.size(), mesh_corner::none);
+    std::vector<std::uint32_t> number(smooth.positions.size(), no_index);
     for (std::uint32_t s = 0; s <= surfaces; ++s) {
       if (faces.of(s).empty()) continue;
       made.parts.push_back(prepare_object(object<T>{part_of_mesh(smooth, faces.of(s), number)}));

@@ -109,19 +109,19 @@ TEST_CASE("barycentric: triangles without area, and as thin as doubles go") {
              std::optional(V3{0.25, 0.25, 0.5}));
 }
 
-TEST_CASE("widest_view: the largest component of the normal, the lowest axis on ties") {
-  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{1, 0, 0}, P3{0, 1, 0}) == std::optional(2));
-  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{0, 0, 1}, P3{1, 0, 0}) == std::optional(1));
-  CHECK_BOTH(irg::widest_view(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
-  CHECK_BOTH(irg::widest_view(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1.0000000000000002}) == std::optional(0));
-  CHECK_BOTH(irg::widest_view(P3{1.0000000000000002, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(1));
-  CHECK_BOTH(irg::widest_view(P3{-1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
-  CHECK_BOTH(irg::widest_view(P3{0x1p-1060, 0, 0}, P3{0, 0x1p-1060, 0}, P3{0, 0, 0x1.000001p-1060}) ==
+TEST_CASE("dropped_axis: the largest component of the normal, the lowest axis on ties") {
+  CHECK_BOTH(irg::dropped_axis(P3{0, 0, 0}, P3{1, 0, 0}, P3{0, 1, 0}) == std::optional(2));
+  CHECK_BOTH(irg::dropped_axis(P3{0, 0, 0}, P3{0, 0, 1}, P3{1, 0, 0}) == std::optional(1));
+  CHECK_BOTH(irg::dropped_axis(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
+  CHECK_BOTH(irg::dropped_axis(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1.0000000000000002}) == std::optional(0));
+  CHECK_BOTH(irg::dropped_axis(P3{1.0000000000000002, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(1));
+  CHECK_BOTH(irg::dropped_axis(P3{-1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
+  CHECK_BOTH(irg::dropped_axis(P3{0x1p-1060, 0, 0}, P3{0, 0x1p-1060, 0}, P3{0, 0, 0x1.000001p-1060}) ==
              std::optional(0));
   // The areas along x and y are (2^52 + 1) (2^52 + 3) and one more: only the last of 105 bits differs.
-  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{0, 0x1p52 + 1, 0x1p52 + 2}, P3{0x1p52 + 2, 0, 0x1p52 + 3}) ==
+  CHECK_BOTH(irg::dropped_axis(P3{0, 0, 0}, P3{0, 0x1p52 + 1, 0x1p52 + 2}, P3{0x1p52 + 2, 0, 0x1p52 + 3}) ==
              std::optional(1));
-  CHECK_BOTH(irg::widest_view(P3{0x1p1000, 0, 0}, P3{0, 0x1p1000, 0}, P3{0, 0, 0x1p999}) == std::optional(2));
+  CHECK_BOTH(irg::dropped_axis(P3{0x1p1000, 0, 0}, P3{0, 0x1p1000, 0}, P3{0, 0, 0x1p999}) == std::optional(2));
 }
 
 TEST_CASE("barycentric_orthogonal: the foot of the perpendicular") {
@@ -241,7 +241,7 @@ TEST_CASE("barycentric in space: against the rationals of the view that rational
         if (abs(area(seen[best][0], seen[best][1], seen[best][2])) < abs(area(seen[k][0], seen[k][1], seen[k][2])))
           best = k;
       const P2* s = seen[best];
-      REQUIRE(irg::widest_view(a, b, c) == (area(s[0], s[1], s[2]).sign() == 0 ? std::nullopt : std::optional(best)));
+      REQUIRE(irg::dropped_axis(a, b, c) == (area(s[0], s[1], s[2]).sign() == 0 ? std::nullopt : std::optional(best)));
       REQUIRE(barycentric(a, b, c, t) == barycentric(s[0], s[1], s[2], s[3]));
     }
   }
@@ -372,7 +372,7 @@ TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
           size[k] = abs(twice_area(seen[k][0], seen[k][1], seen[k][2]));
           if (size[best] < size[k]) best = k;
         }
-        if (widest_view(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best)))
+        if (dropped_axis(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best)))
           return wrong;
         const corner* s = seen[best];
         if (irg::textbook::barycentric_replaced(p[0], p[1], p[2], p[3], best) != barycentric(p[0], p[1], p[2], p[3]))

@@ -75,7 +75,7 @@ static_assert([] {
 }());
 
 TEST_CASE("intersect_lines: what comes out is a value") {
-  const irg::lines_meeting<P2> m{flat_relation::crossing, {1, 2}, 0.5, 0.25},
+  constexpr irg::lines_meeting<P2> m{flat_relation::crossing, {1, 2}, 0.5, 0.25},
       other{flat_relation::crossing, {1, 3}, 0.5, 0.25};
   CHECK_BOTH((m == m && !(m == other) &&
               irg::lines_meeting<std::array<double, 2>>{} == irg::lines_meeting<std::array<double, 2>>{}));

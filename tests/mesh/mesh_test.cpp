@@ -12,8 +12,7 @@ namespace {
 static_assert(irg::Mesh<irg::mesh<float>> && irg::Mesh<irg::mesh<double>> && irg::Mesh<irg::mesh<int>>);
 static_assert(!irg::Coordinates<irg::mesh<float>>);
 static_assert(std::same_as<irg::mesh_traits<irg::mesh<double>>::point, irg::point<double, 3>>);
-static_assert(irg::mesh_corner{}.normal == irg::mesh_corner::none &&
-              irg::mesh_corner{}.texcoord == irg::mesh_corner::none);
+static_assert(irg::mesh_corner{}.normal == irg::no_index && irg::mesh_corner{}.texcoord == irg::no_index);
 
 // A pyramid on a square: one face of four corners and four of three.
 constexpr irg::mesh<int> pyramid() {
@@ -71,7 +70,7 @@ TEST_CASE("mesh: corners may name normals and texture coordinates of their own")
   m.normals = {{0, 0, 1}};
   irg::add_face(m, std::vector<std::uint32_t>{0, 1, 2});
   CHECK(m.corner(0, 2).position == 2);
-  CHECK(m.corner(0, 2).normal == irg::mesh_corner::none);
+  CHECK(m.corner(0, 2).normal == irg::no_index);
   m.corners[2].normal = 0;
   CHECK(m.corner(0, 2).normal == 0);
   CHECK(m.normals[m.corner(0, 2).normal] == irg::vec<float, 3>{0, 0, 1});

@@ -72,7 +72,7 @@ void check_visible(const given& g, const irg::draw_depth_options& settings, cons
   for (int y = 0; y < g.scene.height; ++y)
     for (int x = 0; x < g.scene.width; ++x) {
       std::uint32_t& e = expected(x, y);
-      if (e != irg::no_face) e = g.place[e];
+      if (e != irg::no_index) e = g.place[e];
     }
   CHECK(seen == expected);
   CHECK(depth == expected_depth);

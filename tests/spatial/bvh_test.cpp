@@ -110,8 +110,7 @@ TEST_CASE("build_bvh: the same tree for every executor; refit") {
 }
 
 std::size_t references(const irg::bvh& tree) {
-  return tree.order.size() -
-         static_cast<std::size_t>(std::count(tree.order.begin(), tree.order.end(), irg::bvh_node::none));
+  return tree.order.size() - static_cast<std::size_t>(std::count(tree.order.begin(), tree.order.end(), irg::no_index));
 }
 
 // How many of the boxes' corners and centres lie in no leaf with the box, or come with it more than once.
@@ -136,7 +135,7 @@ TEST_CASE(
     "build_bvh with spatial splits: parts cover their boxes, within the limit of references, for every executor") {
   static_assert([] {
     const boxes_of boxes(3, box{{0, 0, 0}, {1, 1, 1}});
-    return irg::build_bvh(std::span<const box>(boxes), by_cuts).order[2] != irg::bvh_node::none;
+    return irg::build_bvh(std::span<const box>(boxes), by_cuts).order[2] != irg::no_index;
   }());
   test::random r(7, test::in_every_round{});
   for (const double s : {1.0, 1e-30, 1e30, 0x1p-1060}) {

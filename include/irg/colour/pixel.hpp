@@ -11,25 +11,25 @@ namespace irg {
 /// Red, green, blue and opacity, 8 bits each, sRGB-encoded; byte 0 is red. The pixel of pictures and of `render`.
 struct rgba8 {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
-  constexpr bool operator==(const rgba8&) const = default;
+  bool operator==(const rgba8&) const = default;
 };
 
 /// Blue, green, red and opacity: the order of many windowing systems and of OpenCV.
 struct bgra8 {
   std::uint8_t b = 0, g = 0, r = 0, a = 255;
-  constexpr bool operator==(const bgra8&) const = default;
+  bool operator==(const bgra8&) const = default;
 };
 
 /// Red, green and blue, 8 bits each.
 struct rgb8 {
   std::uint8_t r = 0, g = 0, b = 0;
-  constexpr bool operator==(const rgb8&) const = default;
+  bool operator==(const rgb8&) const = default;
 };
 
 /// Blue, green and red, 8 bits each: OpenCV's usual order.
 struct bgr8 {
   std::uint8_t b = 0, g = 0, r = 0;
-  constexpr bool operator==(const bgr8&) const = default;
+  bool operator==(const bgr8&) const = default;
 };
 
 /// Red, green and blue as numbers: light, not encoding; 0 is dark, 1 is the display's white, larger values are legal.

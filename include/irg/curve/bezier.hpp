@@ -103,15 +103,34 @@ struct curve_workspace {
   std::vector<exact_sum<std::conditional_t<Floating<scalar_of<P>>, scalar_of<P>, double>>> sums{};
 };
 
-/// A workspace of yours for control points P, or one that is made for the call.
-template <class W, class P>
-concept CurveWorkspace = std::same_as<W&, curve_workspace<P>&>;
+namespace detail {
+
+template <class R>
+struct workspace_of;
+template <CurvePoint P>
+struct workspace_of<P> {
+  using type = curve_workspace<P>;
+};
+template <ControlPoints R>
+struct workspace_of<R> {
+  using type = curve_workspace<control_point<R>>;
+};
+
+}  // namespace detail
+
+/// The workspace for control points of this type, or of ranges like this.
+template <class R>
+using workspace_for = typename detail::workspace_of<R>::type;
+
+/// A workspace of yours, or one that is made for the call.
+template <class W, class R>
+concept WorkspaceFor = std::same_as<W&, workspace_for<R>&>;
 
 namespace detail {
 
 /// What a call makes that is given no workspace: none where another form needs no memory.
-template <class P, bool IsNeeded>
-using own_workspace = std::conditional_t<IsNeeded, curve_workspace<P>, void>;
+template <class R, bool IsNeeded>
+using own_workspace = std::conditional_t<IsNeeded, workspace_for<R>, void>;
 
 }  // namespace detail
 
@@ -161,6 +180,11 @@ constexpr std::span<E> room_for(std::vector<E>& row, std::size_t n) {
   if (row.size() < n) row.resize(n, E{});
   return std::span<E>(row).first(n);
 }
+/// As many rows as that, each as long as the range of control points.
+template <class E, ControlPoints R>
+constexpr std::span<E> room_for(std::vector<E>& row, const R& points, std::size_t rows = 1) {
+  return room_for(row, rows * ring_traits<R>::size(points));
+}
 
 template <class R>
 constexpr std::span<control_point<R>> copied(const R& points, std::span<control_point<R>> scratch) noexcept {
@@ -200,11 +224,9 @@ template <FixedControlPoints R>
 
 /// The point of the Bezier curve at t, computed in a workspace; allocates where that has too little memory.
 /// exact   as the form with scratch
-template <ControlPoints R,
-          CurveWorkspace<control_point<R>> Workspace = detail::own_workspace<control_point<R>, !FixedControlPoints<R>>>
-[[nodiscard]] constexpr control_point<R> bezier_point(const R& points, parameter_of<R> t,
-                                                      Workspace&& workspace = Workspace{}) {
-  return bezier_point(points, t, detail::room_for(workspace.points, ring_traits<R>::size(points)));
+template <ControlPoints R, WorkspaceFor<R> W = detail::own_workspace<R, !FixedControlPoints<R>>>
+[[nodiscard]] constexpr control_point<R> bezier_point(const R& points, parameter_of<R> t, W&& memory = W{}) {
+  return bezier_point(points, t, detail::room_for(memory.points, points));
 }
 
 /// The point of the Bezier curve at t and its derivative there.
@@ -231,11 +253,10 @@ template <FixedControlPoints R>
 }
 
 /// The point and the derivative, computed in a workspace; allocates where that has too little memory.
-template <ControlPoints R,
-          CurveWorkspace<control_point<R>> Workspace = detail::own_workspace<control_point<R>, !FixedControlPoints<R>>>
+template <ControlPoints R, WorkspaceFor<R> W = detail::own_workspace<R, !FixedControlPoints<R>>>
 [[nodiscard]] constexpr curve_sample<control_point<R>> bezier_sample(const R& points, parameter_of<R> t,
-                                                                     Workspace&& workspace = Workspace{}) {
-  return bezier_sample(points, t, detail::room_for(workspace.points, ring_traits<R>::size(points)));
+                                                                     W&& memory = W{}) {
+  return bezier_sample(points, t, detail::room_for(memory.points, points));
 }
 
 /// Cuts the curve at t: left gets the control points from 0 to t, right those from t to 1.

@@ -69,12 +69,11 @@ template <FixedControlPoints R>
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <ControlPoints R,
-          CurveWorkspace<control_point<R>> Workspace = detail::own_workspace<control_point<R>, !FixedControlPoints<R>>>
+template <ControlPoints R, WorkspaceFor<R> W = detail::own_workspace<R, !FixedControlPoints<R>>>
   requires Floating<scalar_of<control_point<R>>>
 [[nodiscard]] constexpr control_point<R> bezier_point_accurate(const R& points, scalar_of<control_point<R>> t,
-                                                               Workspace&& workspace = Workspace{}) {
-  return bezier_point_accurate(points, t, detail::room_for(workspace.sums, ring_traits<R>::size(points)));
+                                                               W&& memory = W{}) {
+  return bezier_point_accurate(points, t, detail::room_for(memory.sums, points));
 }
 
 }  // namespace irg::inline IRG_ABI

@@ -25,7 +25,7 @@ struct curve_meeting {
   [[nodiscard]] IRG_APART constexpr T second_middle() const noexcept {
     return second_from + (second_to - second_from) / 2;
   }
-  constexpr bool operator==(const curve_meeting&) const = default;
+  bool operator==(const curve_meeting&) const = default;
 };
 
 /// How far to go: pieces of curves are narrow enough when their boxes are no wider than the tolerance; and how many
@@ -188,8 +188,8 @@ constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
   using T = scalar_of<control_point<R>>;
   constexpr int depth = minimum(std::numeric_limits<T>::digits, 30);
   const std::size_t n = ring_traits<R>::size(first), m = ring_traits<S>::size(second);
-  IRG_EXPECTS(n > 0 && m > 0 && !room.empty() && search.tolerance >= 0);
-  IRG_EXPECTS(scratch.size() >= detail::meeting_rows * (n + m));
+  const std::size_t needed = detail::meeting_rows * (n + m);
+  IRG_EXPECTS(n > 0 && m > 0 && !room.empty() && scratch.size() >= needed && search.tolerance >= 0);
   detail::halved_curve<R> a(first, scratch.first(3 * n));
   detail::halved_curve<S> b(second, scratch.subspan(3 * n, 3 * m));
   detail::meeting_list<T> list{room};
@@ -221,16 +221,15 @@ constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <ControlPoints R, ControlPoints S,
-          CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+template <ControlPoints R, ControlPoints S, WorkspaceFor<R> W = workspace_for<R>>
   requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
 constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
     const R& first, const S& second,
     const std::type_identity_t<bezier_intersection_options<scalar_of<control_point<R>>>>& search,
-    std::span<curve_meeting<scalar_of<control_point<R>>>> room, Workspace&& workspace = Workspace{}) {
+    std::span<curve_meeting<scalar_of<control_point<R>>>> room, W&& memory = W{}) {
   const std::size_t count = ring_traits<R>::size(first) + ring_traits<S>::size(second);
   return bezier_intersections(first, second, search, room,
-                              detail::room_for(workspace.points, detail::meeting_rows * count));
+                              detail::room_for(memory.points, detail::meeting_rows * count));
 }
 
 IRG_RENAMED(bezier_meetings, bezier_intersections)

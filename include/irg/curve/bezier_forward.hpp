@@ -66,9 +66,9 @@ constexpr void bezier_forward(const R& points, int n, std::span<control_point<R>
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <ControlPoints R, class Sink, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
-constexpr void bezier_forward(const R& points, int n, Sink&& sink, Workspace&& workspace = Workspace{}) {
-  bezier_forward(points, n, detail::room_for(workspace.points, ring_traits<R>::size(points)), sink);
+template <ControlPoints R, class Sink, WorkspaceFor<R> W = workspace_for<R>>
+constexpr void bezier_forward(const R& points, int n, Sink&& sink, W&& memory = W{}) {
+  bezier_forward(points, n, detail::room_for(memory.points, points), sink);
 }
 
 }  // namespace IRG_ABI

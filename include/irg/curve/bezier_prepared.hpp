@@ -65,11 +65,11 @@ constexpr std::optional<prepared_bezier<control_point<R>>> prepare_bezier(
     std::type_identity_t<std::span<exact_sum<scalar_of<control_point<R>>>>> scratch) noexcept;
 
 /// The same, computed in a workspace, which may go afterwards; allocates where that has too little memory.
-template <ControlPoints R, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+template <ControlPoints R, WorkspaceFor<R> W = workspace_for<R>>
   requires Floating<scalar_of<control_point<R>>>
 [[nodiscard]] constexpr std::optional<prepared_bezier<control_point<R>>> prepare_bezier(
-    const R& points, std::span<scalar_of<control_point<R>>> space, Workspace&& workspace = Workspace{}) {
-  return prepare_bezier(points, space, detail::room_for(workspace.sums, ring_traits<R>::size(points)));
+    const R& points, std::span<scalar_of<control_point<R>>> space, W&& memory = W{}) {
+  return prepare_bezier(points, space, detail::room_for(memory.sums, points));
 }
 
 /// The point of the curve at t.

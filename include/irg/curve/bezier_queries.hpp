@@ -141,12 +141,11 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <ControlPoints R, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+template <ControlPoints R, WorkspaceFor<R> W = workspace_for<R>>
   requires Floating<scalar_of<control_point<R>>>
-[[nodiscard]] constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box(
-    const R& points, Workspace&& workspace = Workspace{}) {
-  const std::size_t count = ring_traits<R>::size(points);
-  return bezier_box(points, detail::room_for(workspace.coefficients, detail::box_rows * count));
+[[nodiscard]] constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box(const R& points,
+                                                                                               W&& memory = W{}) {
+  return bezier_box(points, detail::room_for(memory.coefficients, points, detail::box_rows));
 }
 
 /// Hands sink(root_interval) the stretches of the parameter in which the curve may meet the line through a and b.
@@ -190,12 +189,11 @@ constexpr bool bezier_line_intersections(const R& points, const control_point<R>
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <ControlPoints R, class Sink, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+template <ControlPoints R, class Sink, WorkspaceFor<R> W = workspace_for<R>>
   requires(Floating<scalar_of<control_point<R>>> && size_of<control_point<R>> == 2)
 constexpr bool bezier_line_intersections(const R& points, const control_point<R>& a, const control_point<R>& b,
-                                         Sink&& sink, Workspace&& workspace = Workspace{}) {
-  const std::size_t count = ring_traits<R>::size(points);
-  const auto scratch = detail::room_for(workspace.coefficients, detail::line_rows * count);
+                                         Sink&& sink, W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.coefficients, points, detail::line_rows);
   return bezier_line_intersections(points, a, b, scratch, sink);
 }
 
@@ -256,13 +254,12 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <ControlPoints R, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+template <ControlPoints R, WorkspaceFor<R> W = workspace_for<R>>
   requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
 [[nodiscard]] constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const control_point<R>& p,
-                                                                       Workspace&& workspace = Workspace{}) {
-  const std::size_t count = ring_traits<R>::size(points);
-  return bezier_nearest(points, p, detail::room_for(workspace.coefficients, detail::nearest_rows * count),
-                        detail::room_for(workspace.points, count));
+                                                                       W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.coefficients, points, detail::nearest_rows);
+  return bezier_nearest(points, p, scratch, detail::room_for(memory.points, points));
 }
 
 IRG_RENAMED(bezier_line_crossings, bezier_line_intersections)

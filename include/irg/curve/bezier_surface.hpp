@@ -123,12 +123,10 @@ constexpr surface_sample<P> patch_sample(const control_net<P>& net,
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <CurvePoint P, CurveWorkspace<P> Workspace = curve_workspace<P>>
-[[nodiscard]] constexpr surface_sample<P> patch_sample(const control_net<P>& net,
-                                                       std::type_identity_t<curve_parameter<scalar_of<P>>> u,
-                                                       std::type_identity_t<curve_parameter<scalar_of<P>>> v,
-                                                       Workspace&& workspace = Workspace{}) {
-  return patch_sample(net, u, v, detail::room_for(workspace.points, detail::sample_room(net)));
+template <CurvePoint P, WorkspaceFor<P> W = curve_workspace<P>>
+[[nodiscard]] constexpr surface_sample<P> patch_sample(const control_net<P>& net, curve_parameter<scalar_of<P>> u,
+                                                       curve_parameter<scalar_of<P>> v, W&& memory = W{}) {
+  return patch_sample(net, u, v, detail::room_for(memory.points, detail::sample_room(net)));
 }
 
 /// The point of the patch at (u, v).

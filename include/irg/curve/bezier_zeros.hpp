@@ -24,7 +24,7 @@ struct root_interval {
   int before = 0, behind = 0;
   [[nodiscard]] IRG_APART constexpr T middle() const noexcept { return from + (to - from) / 2; }
   [[nodiscard]] IRG_APART constexpr bool is_crossing() const noexcept { return before * behind < 0; }
-  constexpr bool operator==(const root_interval&) const = default;
+  bool operator==(const root_interval&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -165,10 +165,10 @@ constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::typ
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <Floating T, class Sink, CurveWorkspace<vec<T, 1>> Workspace = curve_workspace<vec<T, 1>>>
+template <Floating T, class Sink, WorkspaceFor<vec<T, 1>> W = curve_workspace<vec<T, 1>>>
 constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::type_identity_t<T> uncertainty,
-                               Sink&& sink, Workspace&& workspace = Workspace{}) {
-  const auto scratch = detail::room_for(workspace.coefficients, detail::root_rows * coefficients.size());
+                               Sink&& sink, W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.coefficients, coefficients, detail::root_rows);
   bernstein_roots(coefficients, uncertainty, scratch, sink);
 }
 

@@ -156,11 +156,11 @@ constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degr
 
 /// The same, computed in a workspace; allocates where that has too little memory.
 template <Floating T, int Degree, ControlPolygon R,
-          CurveWorkspace<ring_point<R>> Workspace = detail::own_workspace<ring_point<R>, Degree == degree_at_run_time>>
+          WorkspaceFor<R> W = detail::own_workspace<R, Degree == degree_at_run_time>>
 [[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots,
                                                                    const R& points, std::type_identity_t<T> t,
-                                                                   Workspace&& workspace = Workspace{}) {
-  return bspline_point(knots, points, t, detail::room_for(workspace.numbers, knots.order()));
+                                                                   W&& memory = W{}) {
+  return bspline_point(knots, points, t, detail::room_for(memory.numbers, knots.order()));
 }
 
 /// The basis functions at t of a rational B-spline (NURBS): each times its weight, over the sum of these.
@@ -202,12 +202,11 @@ constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree
 
 /// The same, computed in a workspace; allocates where that has too little memory.
 template <Floating T, int Degree, ControlPolygon R,
-          CurveWorkspace<ring_point<R>> Workspace = detail::own_workspace<ring_point<R>, Degree == degree_at_run_time>>
+          WorkspaceFor<R> W = detail::own_workspace<R, Degree == degree_at_run_time>>
 [[nodiscard]] constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                                  std::type_identity_t<std::span<const T>> weights,
-                                                                 std::type_identity_t<T> t,
-                                                                 Workspace&& workspace = Workspace{}) {
-  return nurbs_point(knots, points, weights, t, detail::room_for(workspace.numbers, knots.order()));
+                                                                 std::type_identity_t<T> t, W&& memory = W{}) {
+  return nurbs_point(knots, points, weights, t, detail::room_for(memory.numbers, knots.order()));
 }
 
 /// The point of a rational B-spline curve (NURBS) of homogeneous control points at t.

@@ -37,12 +37,11 @@ constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots
                                                              std::span<ring_point<R>> scratch) noexcept;
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <Floating T, int Degree, ControlPolygon R,
-          CurveWorkspace<ring_point<R>> Workspace = curve_workspace<ring_point<R>>>
+template <Floating T, int Degree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
 [[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots<T, Degree>& knots,
                                                                            const R& points, std::type_identity_t<T> t,
-                                                                           Workspace&& workspace = Workspace{}) {
-  return bspline_point_de_boor(knots, points, t, detail::room_for(workspace.points, knots.order()));
+                                                                           W&& memory = W{}) {
+  return bspline_point_de_boor(knots, points, t, detail::room_for(memory.points, knots.order()));
 }
 
 /// The point of a B-spline curve and its derivatives at t: derivatives[k] is the k-th, derivatives[0] the point's
@@ -60,13 +59,12 @@ constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const 
                                    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept;
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <Floating T, int Degree, ControlPolygon R,
-          CurveWorkspace<ring_point<R>> Workspace = curve_workspace<ring_point<R>>>
+template <Floating T, int Degree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
 constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
                                    std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
-                                   Workspace&& workspace = Workspace{}) {
+                                   W&& memory = W{}) {
   return bspline_derivatives(knots, points, t, derivatives,
-                             detail::room_for(workspace.vectors, detail::derivative_rows * knots.order()));
+                             detail::room_for(memory.vectors, detail::derivative_rows * knots.order()));
 }
 
 /// The point of a B-spline curve at t and its derivative there.
@@ -79,13 +77,12 @@ constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(
     std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept;
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <Floating T, int Degree, ControlPolygon R,
-          CurveWorkspace<ring_point<R>> Workspace = curve_workspace<ring_point<R>>>
+template <Floating T, int Degree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
 [[nodiscard]] constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(const bspline_knots<T, Degree>& knots,
                                                                                   const R& points,
                                                                                   std::type_identity_t<T> t,
-                                                                                  Workspace&& workspace = Workspace{}) {
-  return bspline_sample(knots, points, t, detail::room_for(workspace.vectors, detail::derivative_rows * knots.order()));
+                                                                                  W&& memory = W{}) {
+  return bspline_sample(knots, points, t, detail::room_for(memory.vectors, detail::derivative_rows * knots.order()));
 }
 
 }  // namespace irg::inline IRG_ABI

@@ -133,12 +133,11 @@ constexpr bool bspline_refine(const bspline_knots<T, Degree>& knots, const R& po
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <Floating T, int Degree, int OtherDegree, ControlPolygon R,
-          CurveWorkspace<ring_point<R>> Workspace = curve_workspace<ring_point<R>>>
+template <Floating T, int Degree, int OtherDegree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
 constexpr bool bspline_refine(const bspline_knots<T, Degree>& knots, const R& points,
                               const bspline_knots<T, OtherDegree>& refined, std::span<ring_point<R>> result,
-                              Workspace&& workspace = Workspace{}) {
-  return bspline_refine(knots, points, refined, result, detail::room_for(workspace.numbers, knots.order()));
+                              W&& memory = W{}) {
+  return bspline_refine(knots, points, refined, result, detail::room_for(memory.numbers, knots.order()));
 }
 
 /// Hands each polynomial piece of the curve to sink(from, to, control points): a Bezier curve over [from, to].
@@ -166,12 +165,11 @@ constexpr void bspline_bezier_pieces(const bspline_knots<T, Degree>& knots, cons
 }
 
 /// The same, computed in a workspace, where the control points stand; allocates where that has too little memory.
-template <Floating T, int Degree, ControlPolygon R, class Sink,
-          CurveWorkspace<ring_point<R>> Workspace = curve_workspace<ring_point<R>>>
+template <Floating T, int Degree, ControlPolygon R, class Sink, WorkspaceFor<R> W = workspace_for<R>>
 constexpr void bspline_bezier_pieces(const bspline_knots<T, Degree>& knots, const R& points, Sink&& sink,
-                                     Workspace&& workspace = Workspace{}) {
-  bspline_bezier_pieces(knots, points, detail::room_for(workspace.numbers, knots.order()),
-                        detail::room_for(workspace.points, knots.order()), sink);
+                                     W&& memory = W{}) {
+  bspline_bezier_pieces(knots, points, detail::room_for(memory.numbers, knots.order()),
+                        detail::room_for(memory.points, knots.order()), sink);
 }
 
 /// Writes the knots of the same curve with one degree more: each knot in [first(), last()] once more, the ends as often
@@ -204,8 +202,8 @@ constexpr void bspline_elevate(const bspline_knots<T, Degree>& knots, const R& p
                                const bspline_knots<T, OtherDegree>& elevated, std::span<ring_point<R>> result,
                                std::type_identity_t<std::span<T>> scratch) noexcept {
   const std::size_t order = knots.order();
-  IRG_EXPECTS(ring_size(points) == knots.size() && elevated.order() == order + 1);
-  IRG_EXPECTS(scratch.size() >= detail::elevate_rows * order);
+  const std::size_t needed = detail::elevate_rows * order;
+  IRG_EXPECTS(ring_size(points) == knots.size() && elevated.order() == order + 1 && scratch.size() >= needed);
   IRG_EXPECTS(elevated.first() == knots.first() && elevated.last() == knots.last() && result.size() >= elevated.size());
   const auto value = scratch.first(order), sum = scratch.subspan(order, order);
   for (std::size_t j = 0; j < elevated.size(); ++j) {
@@ -226,12 +224,11 @@ constexpr void bspline_elevate(const bspline_knots<T, Degree>& knots, const R& p
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <Floating T, int Degree, int OtherDegree, ControlPolygon R,
-          CurveWorkspace<ring_point<R>> Workspace = curve_workspace<ring_point<R>>>
+template <Floating T, int Degree, int OtherDegree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
 constexpr void bspline_elevate(const bspline_knots<T, Degree>& knots, const R& points,
                                const bspline_knots<T, OtherDegree>& elevated, std::span<ring_point<R>> result,
-                               Workspace&& workspace = Workspace{}) {
-  const auto scratch = detail::room_for(workspace.numbers, detail::elevate_rows * knots.order());
+                               W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.numbers, detail::elevate_rows * knots.order());
   bspline_elevate(knots, points, elevated, result, scratch);
 }
 

@@ -38,6 +38,9 @@ struct surface_piece {
 
 namespace detail::inline IRG_ABI {
 
+template <class P, int U, int V>
+using own_surface_workspace = own_workspace<P, U == degree_at_run_time || V == degree_at_run_time>;
+
 template <CurvePoint P, int U, int V>
 constexpr bool is_in_range(const bspline_surface<P, U, V>& s, const scalar_of<P>& u, const scalar_of<P>& v) noexcept {
   return s.u.first() <= u && u <= s.u.last() && s.v.first() <= v && v <= s.v.last();
@@ -122,13 +125,10 @@ constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>&
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <CurvePoint P, int U, int V,
-          CurveWorkspace<P> Workspace = detail::own_workspace<P, U == degree_at_run_time || V == degree_at_run_time>>
-[[nodiscard]] constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>& surface,
-                                                               std::type_identity_t<scalar_of<P>> u,
-                                                               std::type_identity_t<scalar_of<P>> v,
-                                                               Workspace&& workspace = Workspace{}) {
-  return bspline_surface_point(surface, u, v, detail::room_for(workspace.numbers, detail::point_room(surface)));
+template <CurvePoint P, int U, int V, WorkspaceFor<P> W = detail::own_surface_workspace<P, U, V>>
+[[nodiscard]] constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>& surface, scalar_of<P> u,
+                                                               scalar_of<P> v, W&& memory = W{}) {
+  return bspline_surface_point(surface, u, v, detail::room_for(memory.numbers, detail::point_room(surface)));
 }
 
 /// The derivatives of the surface at (u, v) up to `order` times along u and along v: derivatives[k * (order + 1) + l]
@@ -166,13 +166,12 @@ constexpr bool bspline_surface_derivatives(const bspline_surface<P, U, V>& surfa
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <CurvePoint P, int U, int V, CurveWorkspace<P> Workspace = curve_workspace<P>>
-constexpr bool bspline_surface_derivatives(const bspline_surface<P, U, V>& surface,
-                                           const std::type_identity_t<vec<scalar_of<P>, 2>>& at, int order,
-                                           std::span<typename curve_sample<P>::vector> derivatives,
-                                           Workspace&& workspace = Workspace{}) {
+template <CurvePoint P, int U, int V, WorkspaceFor<P> W = curve_workspace<P>>
+constexpr bool bspline_surface_derivatives(const bspline_surface<P, U, V>& surface, const vec<scalar_of<P>, 2>& at,
+                                           int order, std::span<typename curve_sample<P>::vector> derivatives,
+                                           W&& memory = W{}) {
   return bspline_surface_derivatives(surface, at, order, derivatives,
-                                     detail::room_for(workspace.vectors, detail::derivatives_room(surface, order)));
+                                     detail::room_for(memory.vectors, detail::derivatives_room(surface, order)));
 }
 
 /// The point of the surface at (u, v) with its first derivatives and the mixed one.
@@ -198,14 +197,11 @@ template <CurvePoint P, int U, int V>
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <CurvePoint P, int U, int V,
-          CurveWorkspace<P> Workspace = detail::own_workspace<P, U == degree_at_run_time || V == degree_at_run_time>>
+template <CurvePoint P, int U, int V, WorkspaceFor<P> W = detail::own_surface_workspace<P, U, V>>
 [[nodiscard]] constexpr std::optional<surface_sample<P>> bspline_surface_sample(const bspline_surface<P, U, V>& surface,
-                                                                                std::type_identity_t<scalar_of<P>> u,
-                                                                                std::type_identity_t<scalar_of<P>> v,
-                                                                                Workspace&& workspace = Workspace{}) {
-  return bspline_surface_sample(surface, u, v,
-                                detail::room_for(workspace.vectors, detail::derivatives_room(surface, 1)));
+                                                                                scalar_of<P> u, scalar_of<P> v,
+                                                                                W&& memory = W{}) {
+  return bspline_surface_sample(surface, u, v, detail::room_for(memory.vectors, detail::derivatives_room(surface, 1)));
 }
 
 /// The point of a rational surface with its derivatives from those of its homogeneous points.
@@ -253,12 +249,11 @@ constexpr std::optional<point<T, N>> nurbs_surface_point(const bspline_surface<h
 
 /// The same, computed in a workspace; allocates where that has too little memory.
 template <Floating T, int N, int U, int V,
-          CurveWorkspace<hpoint<T, N>> Workspace =
-              detail::own_workspace<hpoint<T, N>, U == degree_at_run_time || V == degree_at_run_time>>
+          WorkspaceFor<hpoint<T, N>> W = detail::own_surface_workspace<hpoint<T, N>, U, V>>
 [[nodiscard]] constexpr std::optional<point<T, N>> nurbs_surface_point(
     const bspline_surface<hpoint<T, N>, U, V>& surface, std::type_identity_t<T> u, std::type_identity_t<T> v,
-    Workspace&& workspace = Workspace{}) {
-  return nurbs_surface_point(surface, u, v, detail::room_for(workspace.numbers, detail::point_room(surface)));
+    W&& memory = W{}) {
+  return nurbs_surface_point(surface, u, v, detail::room_for(memory.numbers, detail::point_room(surface)));
 }
 
 /// The point of a rational B-spline surface (NURBS) with its first derivatives and the mixed one.
@@ -293,12 +288,11 @@ template <Floating T, int N, int U, int V>
 
 /// The same, computed in a workspace; allocates where that has too little memory.
 template <Floating T, int N, int U, int V,
-          CurveWorkspace<hpoint<T, N>> Workspace =
-              detail::own_workspace<hpoint<T, N>, U == degree_at_run_time || V == degree_at_run_time>>
+          WorkspaceFor<hpoint<T, N>> W = detail::own_surface_workspace<hpoint<T, N>, U, V>>
 [[nodiscard]] constexpr std::optional<surface_sample<point<T, N>>> nurbs_surface_sample(
     const bspline_surface<hpoint<T, N>, U, V>& surface, std::type_identity_t<T> u, std::type_identity_t<T> v,
-    Workspace&& workspace = Workspace{}) {
-  return nurbs_surface_sample(surface, u, v, detail::room_for(workspace.vectors, detail::derivatives_room(surface, 1)));
+    W&& memory = W{}) {
+  return nurbs_surface_sample(surface, u, v, detail::room_for(memory.vectors, detail::derivatives_room(surface, 1)));
 }
 
 /// t as a parameter from 0 to 1 over the knots' range: what surface_normal needs to know of a place.
@@ -346,11 +340,10 @@ constexpr void bspline_surface_patches(const bspline_surface<P, U, V>& surface,
 }
 
 /// The same, computed in a workspace, where the control points stand; allocates where that has too little memory.
-template <CurvePoint P, int U, int V, class Sink, CurveWorkspace<P> Workspace = curve_workspace<P>>
-constexpr void bspline_surface_patches(const bspline_surface<P, U, V>& surface, Sink&& sink,
-                                       Workspace&& workspace = Workspace{}) {
-  bspline_surface_patches(surface, detail::room_for(workspace.numbers, detail::patches_room(surface)),
-                          detail::room_for(workspace.points, surface.u.order() * surface.v.order()), sink);
+template <CurvePoint P, int U, int V, class Sink, WorkspaceFor<P> W = curve_workspace<P>>
+constexpr void bspline_surface_patches(const bspline_surface<P, U, V>& surface, Sink&& sink, W&& memory = W{}) {
+  bspline_surface_patches(surface, detail::room_for(memory.numbers, detail::patches_room(surface)),
+                          detail::room_for(memory.points, surface.u.order() * surface.v.order()), sink);
 }
 
 IRG_RENAMED(share_of_range, normalized_parameter)

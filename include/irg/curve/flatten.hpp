@@ -17,7 +17,7 @@ namespace irg {
 struct flattening {
   std::size_t pieces = 0;
   bool within_tolerance = true;
-  constexpr bool operator==(const flattening&) const = default;
+  bool operator==(const flattening&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -123,12 +123,10 @@ constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<con
 }
 
 /// The same, computed in a workspace; allocates where that has too little memory.
-template <ControlPoints R, class Sink, CurveWorkspace<control_point<R>> Workspace = curve_workspace<control_point<R>>>
+template <ControlPoints R, class Sink, WorkspaceFor<R> W = workspace_for<R>>
   requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
-constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<control_point<R>>> tolerance, Sink&& sink,
-                             Workspace&& workspace = Workspace{}) {
-  const std::size_t count = ring_traits<R>::size(points);
-  return flatten(points, tolerance, detail::room_for(workspace.points, detail::flatten_rows * count), sink);
+constexpr flattening flatten(const R& points, scalar_of<control_point<R>> tolerance, Sink&& sink, W&& memory = W{}) {
+  return flatten(points, tolerance, detail::room_for(memory.points, points, detail::flatten_rows), sink);
 }
 
 }  // namespace IRG_ABI

@@ -54,7 +54,7 @@ struct surface_corner {
 struct surface_tessellation {
   std::size_t corners = 0, triangles = 0;
   bool within_tolerance = true;
-  constexpr bool operator==(const surface_tessellation&) const = default;
+  bool operator==(const surface_tessellation&) const = default;
 };
 
 inline namespace IRG_ABI {

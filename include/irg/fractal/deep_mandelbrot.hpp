@@ -31,20 +31,20 @@ struct deep_escape_job {
 struct deep_escape_counts {
   std::int64_t reference = 0;  // steps of the orbit with many digits
   std::int64_t rebased = 0;  // how often a glitch was detected, and cured
-  constexpr bool operator==(const deep_escape_counts&) const = default;
+  bool operator==(const deep_escape_counts&) const = default;
 };
 
 /// A point Z of an orbit of many digits, and radius^2 - |Z|^2, both rounded at the end.
 template <class T>
 struct reference_point {
   T x{}, y{}, room{};
-  constexpr bool operator==(const reference_point&) const = default;
+  bool operator==(const reference_point&) const = default;
 };
 
 /// A pixel's count, and how many glitches were cured on the way.
 struct perturbed_count {
   int count = 0, rebased = 0;
-  constexpr bool operator==(const perturbed_count&) const = default;
+  bool operator==(const perturbed_count&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -18,7 +18,7 @@ template <Floating T>
 struct escape_distance {
   int count = 0;
   T at_least = 0, at_most = 0;  // 0 for what stays
-  constexpr bool operator==(const escape_distance&) const = default;
+  bool operator==(const escape_distance&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

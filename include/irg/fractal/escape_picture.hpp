@@ -29,7 +29,7 @@ struct escape_options {
   skipping interior = skipping::on;  // points of the cardioid and the disc of period 2
   skipping cycles = skipping::on;    // orbits that come back to a point where they were before
   skipping squares = skipping::on;   // squares of pixels that one orbit of discs shows to have one count
-  constexpr bool operator==(const escape_options&) const = default;
+  bool operator==(const escape_options&) const = default;
 };
 
 /// What was left out. Independent of the executor; cycles depend on the lanes that compute side by side.
@@ -46,7 +46,7 @@ struct escape_counts {
     squares += o.squares;
     return *this;
   }
-  constexpr bool operator==(const escape_counts&) const = default;
+  bool operator==(const escape_counts&) const = default;
 };
 
 /// The counts of a picture: how its orbits begin and end.

@@ -17,7 +17,7 @@ namespace irg {
 struct sure_count {
   int count = 0;
   bool is_sure = false;
-  constexpr bool operator==(const sure_count&) const = default;
+  bool operator==(const sure_count&) const = default;
 };
 
 /// A picture of square pixels about a centre of 106 bits.
@@ -26,7 +26,7 @@ struct precise_escape_job {
   double_double re{}, im{};  // the centre
   double pixel = 0;  // the side of a pixel in the plane
   escape_limit<double> limit{};
-  constexpr bool operator==(const precise_escape_job&) const = default;
+  bool operator==(const precise_escape_job&) const = default;
 };
 
 /// What became of a precise picture's pixels.
@@ -34,7 +34,7 @@ struct precise_escape_counts {
   std::int64_t pixels = 0;  // all
   std::int64_t again = 0;  // computed with more digits
   std::int64_t unsure = 0;  // for which they were too few, too
-  constexpr bool operator==(const precise_escape_counts&) const = default;
+  bool operator==(const precise_escape_counts&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

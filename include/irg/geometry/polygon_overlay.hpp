@@ -42,7 +42,7 @@ struct polygon_overlay_counts {
   std::uint64_t pairs = 0;  // of pieces, summed over the rounds
   std::uint64_t compared = 0;  // of these, pairs whose boxes have a point in common
   std::uint64_t crossings = 0;  // of these, pairs that cross between their ends
-  constexpr bool operator==(const polygon_overlay_counts&) const = default;
+  bool operator==(const polygon_overlay_counts&) const = default;
 };
 
 /// The rings of a polygon: outer ones counter-clockwise, holes clockwise (y up).
@@ -51,6 +51,9 @@ struct clipped_rings {
   polygon_clip_status status = polygon_clip_status::ok;
   std::vector<std::vector<point<T, 2>>> rings{};
   polygon_overlay_counts counts{};
+
+  /// Whether the rings are what was asked for.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == polygon_clip_status::ok; }
   bool operator==(const clipped_rings&) const = default;
 };
 

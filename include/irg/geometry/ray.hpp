@@ -35,7 +35,7 @@ struct ray {
     const bool in_order = low <= (std::numeric_limits<T>::max)() && maximum(low, T(0)) <= high;
     return (beyond & sign) != 0 || moves == 0 || !in_order;
   }
-  constexpr bool operator==(const ray&) const = default;
+  bool operator==(const ray&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -19,7 +19,7 @@ struct ear_clipping_options {
   /// How many vertex-in-triangle tests a ring may take, times its vertices, before the rest of it becomes a fan. Bounds
   /// the time that hostile rings can take; ordinary rings of 10^5 vertices need a few dozen.
   std::size_t tests_per_vertex = 1024;
-  constexpr bool operator==(const ear_clipping_options&) const = default;
+  bool operator==(const ear_clipping_options&) const = default;
 };
 
 /// What triangulate_ear_clipping works in, to be used again for the next ring.

@@ -31,7 +31,10 @@ enum class [[nodiscard]] triangulation_status {
 struct triangulation {
   triangulation_status status = triangulation_status::ok;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  constexpr bool operator==(const triangulation&) const = default;
+
+  /// Whether the triangles make up the polygon.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == triangulation_status::ok; }
+  bool operator==(const triangulation&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -29,7 +29,7 @@ struct bsp_counts {
   std::int64_t faces = 0, pieces = 0;  // pieces: nodes, of which faces that were split have several
   std::int64_t depth = 0;
   std::int64_t asked = 0;  // parts that were asked, one by one, on which side of a plane they lie
-  constexpr bool operator==(const bsp_counts&) const = default;
+  bool operator==(const bsp_counts&) const = default;
 };
 
 /// The faces of a window as a tree, in space as the screen sees it.
@@ -221,7 +221,7 @@ using bsp_face_cells = bsp_open_cells<bsp_open_part, 3>;
 
 // Parts that a subtree is made of, and where it is hung.
 struct bsp_task {
-  std::uint32_t cell = bsp_none;
+  std::uint32_t cell = no_index;
   std::int32_t parent = -1;
   face_part side = face_part::nearer;
   std::int64_t depth = 0;
@@ -246,7 +246,7 @@ struct bsp_face_state {
   double stretch = 1;
   std::vector<bsp_of_faces::node> unseen{};
   bsp_face_cells cells{}, known{};
-  std::uint32_t faces = bsp_none;  // all of them, in known, once ties were met
+  std::uint32_t faces = no_index;  // all of them, in known, once ties were met
   std::vector<bsp_task> left{};
 };
 
@@ -293,7 +293,7 @@ constexpr void open_root(bsp_face_state<Order>& s, const cell_window& window) {
     else
       all.push_back(entry_of_part(s, std::move(node), pixels, static_cast<std::uint32_t>(&f - s.tree.faces.data())));
   }
-  if (const std::uint32_t cell = s.cells.make_cell(std::move(all)); cell != bsp_none) s.left.push_back({cell});
+  if (const std::uint32_t cell = s.cells.make_cell(std::move(all)); cell != no_index) s.left.push_back({cell});
 }
 
 // How the parts of a cell lie to a plane, or some of them where many lie near it.
@@ -357,7 +357,7 @@ constexpr window_order order_without_ties(bsp_face_state<Order>& s, const bsp_op
   const screen_face& f = *p.node.part.face;
   const pixels_in_plane ties = find_pixels_in_plane<Order>(p.pixels, f, plane);
   if (ties.others == window_order::crossing) return window_order::crossing;
-  if (s.faces == bsp_none) {
+  if (s.faces == no_index) {
     std::vector<bsp_face_cells::entry> all;
     for (const screen_face& g : s.tree.faces)
       all.push_back(
@@ -412,8 +412,8 @@ constexpr void part_by_plane(bsp_face_state<Order>& s, const bsp_task& task) {
         else
           farther(std::move(e));
       });
-  if (halves.front != bsp_none) s.left.push_back({halves.front, id, face_part::nearer, task.depth + 1});
-  if (halves.back != bsp_none) s.left.push_back({halves.back, id, face_part::farther, task.depth + 1});
+  if (halves.front != no_index) s.left.push_back({halves.front, id, face_part::nearer, task.depth + 1});
+  if (halves.back != no_index) s.left.push_back({halves.back, id, face_part::farther, task.depth + 1});
 }
 
 // Faces without pixels have no side: they become a balanced tree of their own, below the last node on the way farther.

@@ -28,7 +28,7 @@ struct grid_facet {
 struct grid_covering {
   int n = 0, m = 0, k = 0, l = 0;
   int first_i = 1, last_i = 0, first_j = 1, last_j = 0;
-  constexpr bool operator==(const grid_covering&) const = default;
+  bool operator==(const grid_covering&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -24,7 +24,7 @@ namespace irg {
 /// An edge on the screen, between two vertices.
 struct screen_edge {
   screen_vertex v[2];
-  constexpr bool operator==(const screen_edge&) const = default;
+  bool operator==(const screen_edge&) const = default;
 };
 
 /// Which faces are tried for an edge: those near it that may be nearer than it, or every one.
@@ -37,7 +37,7 @@ struct hidden_line_counts {
   std::int64_t tried = 0;  // pairs of an edge and a face whose boxes meet and whose depths do not part them
   std::int64_t hiding = 0;  // pairs where the face hides something
   std::int64_t visible = 0, hidden = 0;  // parts
-  constexpr bool operator==(const hidden_line_counts&) const = default;
+  bool operator==(const hidden_line_counts&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -157,7 +157,7 @@ private:
 // The box of something on the screen, and the depth of its nearest point.
 struct screen_box {
   std::int32_t left, top, right, bottom;
-  constexpr bool operator==(const screen_box&) const = default;
+  bool operator==(const screen_box&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -206,7 +206,7 @@ template <int Sense, class Faces>
 class IRG_APART face_grids {
 public:
   // Without grids yet: for `face` alone.
-  constexpr explicit face_grids(const Faces& faces) : faces_(faces), place_(faces.size(), no_face) {
+  constexpr explicit face_grids(const Faces& faces) : faces_(faces), place_(faces.size(), no_index) {
     converted_.reserve(faces.size());  // references to faces last
     nearest_.reserve(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -239,7 +239,7 @@ public:
   constexpr float nearest(std::uint32_t face) const noexcept { return nearest_[face]; }
   // A face as the crossings need it. Those once asked for stay where they are.
   constexpr const hiding_face& face(std::uint32_t i) {
-    if (place_[i] == no_face) {
+    if (place_[i] == no_index) {
       place_[i] = static_cast<std::uint32_t>(converted_.size());
       converted_.push_back(hiding_face_of<Sense>(faces_[i]));
     }
@@ -462,7 +462,7 @@ private:
     const float farthest = minimum(e.depth[0], e.depth[1]);
     // The face that hid all that was left of an edge before may well hide all of this one.
     for (std::uint32_t& face : finishers_) {
-      if (face == no_face || !(faces_.nearest(face) > farthest)) continue;
+      if (face == no_index || !(faces_.nearest(face) > farthest)) continue;
       try_face(face, e, counts);
       if (!hidden_.is_whole()) continue;
       const std::uint32_t first = finishers_[0];
@@ -494,7 +494,7 @@ private:
   face_grids<Sense, Faces> faces_;
   std::vector<std::uint32_t> last_tried_by_;
   interval_union<hidden_interval> hidden_{};
-  std::uint32_t finishers_[4] = {no_face, no_face, no_face, no_face};
+  std::uint32_t finishers_[4] = {no_index, no_index, no_index, no_index};
   std::uint32_t edges_ = 0;
   face_search search_;
 };

@@ -53,7 +53,7 @@ struct line_drawing {
   std::int64_t triangles = 0;  // all of the meshes
   std::int64_t beyond = 0;  // of these wholly beyond a border of the picture or of the depth range, with frustum on
   std::int64_t culled = 0;  // of the others those that culling left out
-  constexpr bool operator==(const line_drawing&) const = default;
+  bool operator==(const line_drawing&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -22,7 +22,7 @@ using plot_text = part_name;
 struct axis_tick {
   double value = 0;
   plot_text text{};
-  constexpr bool operator==(const axis_tick&) const = default;
+  bool operator==(const axis_tick&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -31,9 +31,9 @@ namespace detail::inline IRG_ABI {
 template <class Int>
 constexpr double decimal_value(Int digits, int exponent) noexcept {
   char text[44] = {};
-  char* end = print_integer(text, text + 20, digits);
+  char* end = *print_integer(text, text + 20, digits);
   *end++ = 'e';
-  end = print_integer(end, end + 20, exponent);
+  end = *print_integer(end, end + 20, exponent);
   return parse_decimal<double>(text, end).value;
 }
 

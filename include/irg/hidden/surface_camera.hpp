@@ -13,7 +13,7 @@ namespace irg {
 /// A box with sides along the axes.
 struct surface_box {
   point<double, 3> low{}, high{};
-  constexpr bool operator==(const surface_box&) const = default;
+  bool operator==(const surface_box&) const = default;
 };
 
 /// An eye and the plane that it sees a surface in.
@@ -32,7 +32,7 @@ struct surface_camera {
     if (!(magnitude(at.x) < 0x1p500 && magnitude(at.y) < 0x1p500)) return std::nullopt;
     return at;
   }
-  constexpr bool operator==(const surface_camera&) const = default;
+  bool operator==(const surface_camera&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -34,25 +34,25 @@ struct surface_plot_options {
   surface_style style = surface_style::lines;
   plot_text x{"x"}, y{"y"}, z{"z"};  // beside the axes; y is the height
   double text_size = 14;
-  constexpr bool operator==(const surface_plot_options&) const = default;
+  bool operator==(const surface_plot_options&) const = default;
 };
 
 /// What a plot consists of, in the order in which it is drawn: pixels, y down.
 struct plot_line {
   point<double, 2> from, to;
   rgba8 colour;
-  constexpr bool operator==(const plot_line&) const = default;
+  bool operator==(const plot_line&) const = default;
 };
 struct plot_facet {
   std::array<point<double, 2>, 4> corners;
   rgba8 colour;
-  constexpr bool operator==(const plot_facet&) const = default;
+  bool operator==(const plot_facet&) const = default;
 };
 struct plot_label {
   plot_text text;
   point<double, 2> at;
   text_style style;
-  constexpr bool operator==(const plot_label&) const = default;
+  bool operator==(const plot_label&) const = default;
 };
 struct surface_plot {
   int width = 0, height = 0;
@@ -67,7 +67,7 @@ struct surface_plot {
 /// The colours of a plot: of its paper, its axes and texts, the edges of facets.
 struct plot_colours {
   rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, edge{46, 52, 64, 255};
-  constexpr bool operator==(const plot_colours&) const = default;
+  bool operator==(const plot_colours&) const = default;
 };
 
 inline namespace IRG_ABI {

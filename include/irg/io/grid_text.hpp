@@ -25,7 +25,7 @@ namespace irg {
 struct grid_text {
   walled_grid grid;
   std::vector<cell3> units;
-  constexpr bool operator==(const grid_text&) const = default;
+  bool operator==(const grid_text&) const = default;
 };
 
 inline namespace IRG_ABI {

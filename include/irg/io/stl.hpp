@@ -35,7 +35,7 @@ enum class stl_positions { shared, separate };
 
 struct stl_options {
   stl_positions positions = stl_positions::shared;
-  constexpr bool operator==(const stl_options&) const = default;
+  bool operator==(const stl_options&) const = default;
 };
 
 inline namespace IRG_DOORS {

@@ -215,10 +215,10 @@ namespace detail::inline IRG_ABI {
 
 // The column of the n numbers x(i), or why there is none.
 template <Real T, class X>
-constexpr matrix_result<T> solution_column(solvability kind, int n, const X& x) {
-  if (kind == solvability::dependent) return matrix_error::dependent;
-  if (kind == solvability::inconsistent) return matrix_error::inconsistent;
-  if (kind == solvability::not_finite) return matrix_error::not_finite;
+constexpr matrix_result<T> solution_column(system_status status, int n, const X& x) {
+  if (status == system_status::dependent) return matrix_error::dependent;
+  if (status == system_status::inconsistent) return matrix_error::inconsistent;
+  if (status == system_status::not_finite) return matrix_error::not_finite;
   matrix<T> solution = filled_matrix<T>(n, 1, [&](int r, int) { return static_cast<T>(x(r)); });
   if (!entries_finite<T>(solution, n, 1)) return matrix_error::not_finite;
   return solution;
@@ -227,7 +227,7 @@ constexpr matrix_result<T> solution_column(solvability kind, int n, const X& x) 
 template <Floating T, int N, class E>
 constexpr matrix_result<T> solve_of_size(const E& entry) {
   const auto s = solve_gauss(generate_mat<T, N, N + 1>([&](int r, int c) { return static_cast<T>(entry(r, c)); }));
-  return solution_column<T>(s.kind, N, [&](int i) { return s.x[i]; });
+  return solution_column<T>(s.status, N, [&](int i) { return s.x[i]; });
 }
 
 }  // namespace detail::inline IRG_ABI
@@ -257,7 +257,7 @@ template <Real T>
   matrix<W> x(n, 1);
   const detail::elimination_space<W> space{numbers.data(), numbers.data() + 2 * n, largest_term.data()};
   const detail::eliminated found = detail::solve_rows(rows, entry, n, space, [&](int i) -> W& { return x(i, 0); });
-  return detail::solution_column<T>(found.kind, n, [&](int i) { return x(i, 0); });
+  return detail::solution_column<T>(found.status, n, [&](int i) { return x(i, 0); });
 }
 
 }  // namespace IRG_ABI

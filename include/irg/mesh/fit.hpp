@@ -29,7 +29,7 @@ struct fit {
   point<T, 3> centre;
   T scale = 1;
   fit_status status = fit_status::empty;
-  constexpr bool operator==(const fit&) const = default;
+  bool operator==(const fit&) const = default;
 };
 
 /// Where a fitted body goes: p -> p * scale + position.
@@ -37,7 +37,7 @@ template <Floating T>
 struct placement {
   T scale = 1;
   point<T, 3> position;
-  constexpr bool operator==(const placement&) const = default;
+  bool operator==(const placement&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -23,14 +23,14 @@ namespace irg {
 /// How finely a plane grid is cut.
 struct grid_options {
   int columns = 10, rows = 10;  // cells along x and z; taken as 1 if less, as 4096 if more
-  constexpr bool operator==(const grid_options&) const = default;
+  bool operator==(const grid_options&) const = default;
 };
 
 /// How finely a sphere is cut: columns around the axis and layers from pole to pole.
 struct sphere_options {
   int slices = 32;  // taken as 3 if less, as 4096 if more
   int stacks = 16;  // taken as 2 if less, as 4096 if more
-  constexpr bool operator==(const sphere_options&) const = default;
+  bool operator==(const sphere_options&) const = default;
 };
 
 /// The size of a torus and how finely it is cut: around the axis (major) and around the tube (minor).
@@ -51,7 +51,7 @@ constexpr void add_triangles(mesh<T>& m, const char (&digits)[N], std::size_t pe
     if (digits[k] == ' ') continue;
     const int position = digits[k] <= '9' ? digits[k] - '1' : digits[k] - 'A' + 9;
     const auto normal = static_cast<std::uint32_t>(m.corners.size() / (3 * per_normal));
-    m.corners.push_back({static_cast<std::uint32_t>(position), normal, mesh_corner::none});
+    m.corners.push_back({static_cast<std::uint32_t>(position), normal, no_index});
     if (m.corners.size() % 3 == 0) m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
   }
 }
@@ -163,7 +163,7 @@ template <Floating T>
     for (int i = 0; i <= columns; ++i) m.positions.push_back({place(i, columns), T(0), place(j, rows)});
   m.normals = {{T(0), T(1), T(0)}};
   const auto corner = [&](int i, int j) {
-    m.corners.push_back({static_cast<std::uint32_t>(j * (columns + 1) + i), 0, mesh_corner::none});
+    m.corners.push_back({static_cast<std::uint32_t>(j * (columns + 1) + i), 0, no_index});
   };
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {

@@ -23,7 +23,7 @@ enum class teapot_bottom { without, with };
 struct teapot_options {
   int subdivisions = 10;  // cells along each side of a patch; taken as 1 if less, as 1024 if more
   teapot_bottom bottom = teapot_bottom::with;
-  constexpr bool operator==(const teapot_options&) const = default;
+  bool operator==(const teapot_options&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <irg/core/conversion.hpp>
@@ -79,23 +80,24 @@ template <int N>
   return x.negative ? -v : v;
 }
 
-/// 1 when a corner lies in front of the plane of a face, nearer than it; -1 when behind, 0 in the plane.
+/// On which side of the plane of a face a corner lies: above when in front of it, which is nearer, below when behind.
 /// needs   the corner's position within snap_limit pixels of the origin
-/// gives   0 for a face without area, and for drawing_order
+/// gives   `on` for a face without area, and for drawing_order
 /// exact   as compare_depths; it is the sign of orient3d of the corners (x, y, depth)
 template <DepthOrder Order = nearer_is_greater>
-[[nodiscard]] IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept;
+[[nodiscard]] IRG_INLINE constexpr side side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept;
 
 /// The number of the face that is seen in pixel (x, y): of those that cover its centre the one that is_nearer.
-/// gives   no_face where none covers it
+/// gives   nothing where none covers it
 /// exact   this is the definition of the picture that every hidden-surface method draws
 /// cost    every face is asked: for tests of methods that ask fewer
 template <DepthOrder Order = nearer_is_greater>
-[[nodiscard]] constexpr std::uint32_t picture_face_at(std::span<const screen_face> faces, int x, int y) noexcept {
+[[nodiscard]] constexpr std::optional<std::uint32_t> picture_face_at(std::span<const screen_face> faces, int x,
+                                                                     int y) noexcept {
   const screen_face* first = nullptr;
   for (const screen_face& f : faces)
     if (covers(f, x, y) && (first == nullptr || is_nearer<Order>(f, *first, x, y))) first = &f;
-  return first == nullptr ? no_face : first->number;
+  return first == nullptr ? std::nullopt : std::optional(first->number);
 }
 
 }  // namespace IRG_ABI
@@ -277,10 +279,11 @@ template <DepthOrder Order>
 }
 
 template <DepthOrder Order>
-[[nodiscard]] IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
-  if (plane.coverage.double_area == 0) return 0;
+[[nodiscard]] IRG_INLINE constexpr side side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
+  if (plane.coverage.double_area == 0) return side::on;
   const detail::plane_depth_at here{{1, 0, 0}, 1, {corner.depth, 0.0f, 0.0f}};
-  return depth_sense<Order> * detail::compare_depths_at(here, detail::plane_at(plane, corner.position));
+  return static_cast<side>(depth_sense<Order> *
+                           detail::compare_depths_at(here, detail::plane_at(plane, corner.position)));
 }
 
 }  // namespace IRG_ABI

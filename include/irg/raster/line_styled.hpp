@@ -24,7 +24,7 @@ struct dash_runs {
 struct dash_mask {
   std::uint16_t mask = 0xffff;
   std::uint32_t repeat = 1;
-  constexpr bool operator==(const dash_mask&) const = default;
+  bool operator==(const dash_mask&) const = default;
 };
 
 /// How a line is dashed: by dash_runs or a dash_mask, from which position of it on, and with which ends and ties.

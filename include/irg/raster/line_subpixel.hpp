@@ -23,7 +23,7 @@ struct line_subpixel_options {
   line_rule rule = line_rule::nearest;
   line_ends ends = line_ends::closed;  // whether a centre exactly level with b counts as between the ends
   line_ties ties = line_ties::start_side;
-  constexpr bool operator==(const line_subpixel_options&) const = default;
+  bool operator==(const line_subpixel_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -12,8 +12,8 @@
 
 namespace irg {
 
-/// The number that pixels hold which show no face.
-inline constexpr std::uint32_t no_face = no_index;
+/// The old name of no_index, which pixels hold that show no face.
+[[deprecated("irg: no_index")]] inline constexpr std::uint32_t no_face = no_index;
 
 /// A face on the screen, made by make_screen_face.
 /// shape   v in the order of the source, which coverage.edge is not where it is `flipped`; coverage.bounds is the box
@@ -22,8 +22,8 @@ struct screen_face {
   screen_vertex v[3];
   triangle_coverage coverage;
   float depth_low = 0.0f, depth_high = 0.0f;  // no depth of the face lies outside
-  std::uint32_t number = no_face;
-  constexpr bool operator==(const screen_face&) const = default;
+  std::uint32_t number = no_index;
+  bool operator==(const screen_face&) const = default;
 };
 
 inline namespace IRG_ABI {

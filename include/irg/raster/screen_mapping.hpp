@@ -30,7 +30,7 @@ struct clip_code_pair {
     return static_cast<clip_planes>(outside);
   }
   [[nodiscard]] IRG_INLINE constexpr clip_planes cut_planes() const noexcept { return static_cast<clip_planes>(cut); }
-  constexpr bool operator==(const clip_code_pair&) const = default;
+  bool operator==(const clip_code_pair&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -14,20 +14,20 @@ namespace irg {
 /// The weights of the second and third vertex of a source triangle; the first has the rest of 1.
 struct source_weights {
   float second = 0, third = 0;
-  constexpr bool operator==(const source_weights&) const = default;
+  bool operator==(const source_weights&) const = default;
 };
 
 /// Where the corners of a piece lie in its source triangle.
 struct piece_weights {
   source_weights corner[3] = {{0, 0}, {1, 0}, {0, 1}};
-  constexpr bool operator==(const piece_weights&) const = default;
+  bool operator==(const piece_weights&) const = default;
 };
 
 /// A part of a source triangle, on the screen under the triangle's number.
 struct screen_piece {
   screen_face face;
   piece_weights weights;
-  constexpr bool operator==(const screen_piece&) const = default;
+  bool operator==(const screen_piece&) const = default;
 };
 
 /// What clipping leaves of a triangle on the screen.

@@ -28,7 +28,7 @@ struct triangle_edge {
   IRG_INLINE constexpr std::int64_t operator()(int x, int y) const noexcept {
     return at_origin + std::int64_t{right} * x + std::int64_t{down} * y;
   }
-  constexpr bool operator==(const triangle_edge&) const = default;
+  bool operator==(const triangle_edge&) const = default;
 };
 
 /// A triangle ready to be walked over.
@@ -39,7 +39,7 @@ struct triangle_coverage {
   std::int64_t double_area = 0;  // in (1/256 pixel)^2; 0 for a triangle that covers nothing because it has no inside
   cell_window bounds{};  // no covered pixel lies outside
   bool flipped = false;
-  constexpr bool operator==(const triangle_coverage&) const = default;
+  bool operator==(const triangle_coverage&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -50,7 +50,7 @@ struct triangle_setup {
   [[nodiscard]] IRG_INLINE constexpr F weight(int i, const J& f) const noexcept {
     return product(to_float(f), lanes<F>::broadcast(scale)) + lanes<F>::broadcast(rest[i]);
   }
-  constexpr bool operator==(const triangle_setup&) const = default;
+  bool operator==(const triangle_setup&) const = default;
 };
 
 /// The depth of a pixel from its three edge functions, limited to the range of the vertices' depths, which rounding

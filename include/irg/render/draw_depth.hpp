@@ -16,7 +16,7 @@ struct draw_depth_options {
   skip_options skip{};
   clearing clear = clearing::none;
   draw_workspace* workspace = nullptr;  // the caller's lists, kept from picture to picture; null: lists for this one
-  constexpr bool operator==(const draw_depth_options&) const = default;
+  bool operator==(const draw_depth_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

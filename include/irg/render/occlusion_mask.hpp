@@ -28,7 +28,7 @@ struct occluder_counts {
   skip_counts skipped;  // `occluded` is not counted
   std::int64_t drawn = 0;  // triangles that were not skipped
 
-  constexpr bool operator==(const occluder_counts&) const = default;
+  bool operator==(const occluder_counts&) const = default;
 };
 
 /// How far a question had to be followed up. Added to, so that the counts of many questions come to a sum.
@@ -36,7 +36,7 @@ struct occlusion_counts {
   std::int64_t visible = 0, occluded = 0, outside = 0;  // answers
   std::int64_t tiles = 0, blocks = 0, pixels = 0;  // depths that were compared
 
-  constexpr bool operator==(const occlusion_counts&) const = default;
+  bool operator==(const occlusion_counts&) const = default;
 };
 
 namespace detail {

@@ -19,7 +19,7 @@ enum class hidden_surface_method { zbuffer, none };
 struct picture_colours {
   rgba8 background{250, 249, 246, 255};
   rgba8 line{32, 44, 66, 255};
-  constexpr bool operator==(const picture_colours&) const = default;
+  bool operator==(const picture_colours&) const = default;
 };
 
 struct render_options {
@@ -29,7 +29,7 @@ struct render_options {
   skip_options skip{};
   intensity_range intensities = intensity_range::clamp;  // rescale: by the brightest channel of a pixel that is seen
   picture_colours colours{};
-  constexpr bool operator==(const render_options&) const = default;
+  bool operator==(const render_options&) const = default;
 };
 
 }  // namespace irg

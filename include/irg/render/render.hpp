@@ -403,7 +403,7 @@ constexpr render_counts render(const Method& method, const scene<T>& world, rend
       if (is_convex_body(world.objects[seen.chosen.drawn[i]].shape)) bodies.note(seen.batches[i]);
   auto&& colour = detail::rows_of(target.colour);
   auto&& depth = detail::rows_of(target.depth);
-  image<std::uint32_t> ids(width, height, no_face);
+  image<std::uint32_t> ids(width, height, no_index);
   detail::drawing_lists lists;
   return detail::draw_objects(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
                               frame, seen, lists, detail::picture_run{colour, depth, executor_of_all, nobody});

@@ -32,7 +32,7 @@ inline namespace IRG_ABI {
 
 /// Colours a picture from the numbers of the triangles that its pixels show, and returns what it did.
 /// shape   colour, depth and ids have one size; triangles and make_shader as for shade_batches
-/// gives   the depths of what is seen too; pixels whose id is no_face, or names a face that does not cover the pixel,
+/// gives   the depths of what is seen too; pixels whose id is no_index, or names a face that does not cover the pixel,
 ///         is at the farthest depth there, culled or not there, show the background, or keep what they have where
 ///         nothing is cleared
 /// exact   with the ids of draw_visibility the bytes of shade_batches; the same for every executor

@@ -54,7 +54,7 @@ struct weight_derivatives {
     return {change(right[0], at.weight1, right[2]), change(right[1], at.weight2, right[2]),
             change(down[0], at.weight1, down[2]), change(down[1], at.weight2, down[2])};
   }
-  constexpr bool operator==(const weight_derivatives&) const = default;
+  bool operator==(const weight_derivatives&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -30,8 +30,8 @@ namespace irg {
 template <Floating T>
 struct solid_span {
   T from{}, to{};
-  solid_face_origin entered{}, left{};  // body is csg_step::none where the line begins or ends inside
-  constexpr bool operator==(const solid_span&) const = default;
+  solid_face_origin entered{}, left{};  // body is no_index where the line begins or ends inside
+  bool operator==(const solid_span&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -205,7 +205,7 @@ private:
   }
 
   static constexpr void add(std::vector<solid_span<T>>& spans, solid_span<T> span, T low, T high) {
-    constexpr solid_face_origin none{csg_step::none, csg_step::none, false};
+    constexpr solid_face_origin none{no_index, no_index, false};
     if (span.from < low) span = {low, span.to, none, span.left};
     if (high < span.to) span = {span.from, high, span.entered, none};
     if (!(span.from < span.to)) return;

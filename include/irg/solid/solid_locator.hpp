@@ -23,7 +23,7 @@ namespace irg {
 /// What points have asked of a body so far.
 struct solid_locator_counts {
   std::uint64_t points = 0, boxes = 0, triangles = 0;  // asked; triangles / points of all are not skipped
-  constexpr bool operator==(const solid_locator_counts&) const = default;
+  bool operator==(const solid_locator_counts&) const = default;
 };
 
 }  // namespace irg

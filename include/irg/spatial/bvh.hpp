@@ -30,7 +30,7 @@ struct bvh_options {
   int bins = 16;  // 2 to 32: places along each axis at which a split is tried, in ranges of many primitives
   float spare = 1;  // spatial splits, 0 to 4: at most so many more references than primitives, as a share of them
   float overlap = 1e-5f;  // and tried where two halves' boxes have that share of the whole area in common
-  constexpr bool operator==(const bvh_options&) const = default;
+  bool operator==(const bvh_options&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -277,15 +277,15 @@ private:
 // Which primitives have been met before among the leaves, and where.
 constexpr void list_references(bvh& tree, std::size_t primitives, std::size_t held) {
   std::size_t references = 0;
-  for (const std::uint32_t number : tree.order) references += number != bvh_node::none ? 1u : 0u;
+  for (const std::uint32_t number : tree.order) references += number != no_index ? 1u : 0u;
   if (references == held) return;
-  std::vector<std::uint32_t> last(primitives, bvh_node::none);
-  tree.earlier.assign(tree.order.size(), bvh_node::none);
-  tree.boxes.assign(tree.order.size() / bvh_node::block, bvh_node::none);
+  std::vector<std::uint32_t> last(primitives, no_index);
+  tree.earlier.assign(tree.order.size(), no_index);
+  tree.boxes.assign(tree.order.size() / bvh_node::block, no_index);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
     for (std::uint32_t k = 0; k < bvh_node::width; ++k) {
       const std::uint32_t child = tree.nodes[n].child[k];
-      if (child == bvh_node::none || !bvh_node::is_leaf(child)) continue;
+      if (child == no_index || !bvh_node::is_leaf(child)) continue;
       for (std::uint32_t i = bvh_node::first_place(child); i <= bvh_node::last_place(child); ++i) {
         tree.earlier[i] = std::exchange(last[tree.order[i]], i);
         tree.boxes[i / bvh_node::block] = static_cast<std::uint32_t>(n) * bvh_node::width + k;
@@ -351,7 +351,7 @@ IRG_DOOR void refit(bvh& tree, std::span<const box<T, 3>> boxes) {
     bvh_node& node = tree.nodes[n];
     for (int k = 0; k < bvh_node::width; ++k) {
       const std::uint32_t child = node.child[k];
-      if (child == bvh_node::none) continue;
+      if (child == no_index) continue;
       if (bvh_node::is_leaf(child)) {
         detail::bvh_item around = detail::empty_item();
         for (std::uint32_t i = bvh_node::first_place(child); i <= bvh_node::last_place(child); ++i)

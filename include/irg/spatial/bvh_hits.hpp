@@ -15,9 +15,9 @@ namespace irg {
 /// A primitive that a ray meets, and when.
 template <Floating T>
 struct primitive_hit {
-  std::uint32_t primitive = bvh_node::none;
+  std::uint32_t primitive = no_index;
   T t{};
-  constexpr bool operator==(const primitive_hit&) const = default;
+  bool operator==(const primitive_hit&) const = default;
 };
 
 /// test(number, ray) gives the first t at which the ray meets a primitive, or nothing.
@@ -129,7 +129,7 @@ constexpr void each_in_box(const bvh& tree, const box<T, 3>& b, Sink&& sink) {
   const auto meets = [&](std::uint32_t slot) {
     const bvh_node& node = tree.nodes[slot / bvh_node::width];
     const int k = static_cast<int>(slot % bvh_node::width);
-    bool both = node.child[k] != bvh_node::none;
+    bool both = node.child[k] != no_index;
     for (int i = 0; i < 3; ++i) both = both && asked.v[i] <= node.high(i, k) && node.low(i, k) <= 0.0f - asked.v[4 + i];
     return both;
   };

@@ -41,7 +41,7 @@ struct grid_extent {
   [[nodiscard]] IRG_INLINE constexpr bool holds(const cell3& c) const noexcept {
     return c.x >= 0 && c.x < width && c.y >= 0 && c.y < height && c.z >= 0 && c.z < depth;
   }
-  constexpr bool operator==(const grid_extent&) const = default;
+  bool operator==(const grid_extent&) const = default;
 };
 
 /// Receives cells in space, one call each.

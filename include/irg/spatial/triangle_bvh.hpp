@@ -43,7 +43,7 @@ IRG_DOOR bvh build_triangle_tree(std::span<const box<T, 3>> boxes, const bvh_opt
 struct triangle_hit {
   std::uint32_t triangle = 0;
   ray_crossing at{};
-  constexpr bool operator==(const triangle_hit&) const = default;
+  bool operator==(const triangle_hit&) const = default;
 };
 
 /// Triangles in a tree of boxes, for many rays.
@@ -128,7 +128,7 @@ private:
     in_portions(blocks_.size(), executor, [&](std::size_t b) {
       for (std::size_t k = 0; k < width; ++k) {
         const std::uint32_t number = tree_.order[b * width + k];
-        const triangle& t = at(number == bvh_node::none ? tree_.order[b * width] : number);
+        const triangle& t = at(number == no_index ? tree_.order[b * width] : number);
         for (std::size_t corner = 0; corner < 3; ++corner)
           for (int axis = 0; axis < 3; ++axis) blocks_[b].v[corner][axis][k] = t[corner][axis];
       }
@@ -234,7 +234,7 @@ namespace irg::detail {
 // A crossing that weights are still to be found of.
 struct first_crossing {
   crossing_time time{};
-  std::uint32_t number = bvh_node::none, place = 0;  // of the triangle, and where it is among the blocks
+  std::uint32_t number = no_index, place = 0;  // of the triangle, and where it is among the blocks
   int turn = 0;
 };
 

@@ -23,7 +23,7 @@ struct wall_options {
   std::array<bool, 6> blocks{false, true, false, false, true, false};
 
   IRG_INLINE constexpr bool operator()(wall_kind kind) const noexcept { return blocks[static_cast<std::size_t>(kind)]; }
-  constexpr bool operator==(const wall_options&) const = default;
+  bool operator==(const wall_options&) const = default;
 };
 
 /// A map: cells as bits, the walls between them by kind, and as bits those that block.
@@ -74,7 +74,7 @@ public:
     (axis == 0 ? across_x_ : axis == 1 ? across_y_ : across_z_).set(c, rules_(kind));
   }
 
-  constexpr bool operator==(const walled_grid&) const = default;
+  bool operator==(const walled_grid&) const = default;
 
 private:
   [[nodiscard]] IRG_INLINE constexpr std::size_t index(const cell3& c, int axis) const noexcept {

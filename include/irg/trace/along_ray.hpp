@@ -20,7 +20,7 @@ namespace irg {
 struct free_run {
   double from = 0, to = 0;
   std::int64_t steps = 0;
-  constexpr bool operator==(const free_run&) const = default;
+  bool operator==(const free_run&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -29,7 +29,7 @@ namespace irg {
 struct path_options {
   int paths = 64, bounces = 5;
   std::uint64_t seed = 1;
-  constexpr bool operator==(const path_options&) const = default;
+  bool operator==(const path_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -16,6 +16,8 @@ namespace irg {
 
 /// What a map does to the sense of rotation: keeps it, turns it round (a mirror image), or flattens space.
 enum class map_orientation { reversing = -1, singular = 0, preserving = 1 };
+template <>
+inline constexpr bool is_sign_word<map_orientation> = true;
 
 inline namespace IRG_ABI {
 

@@ -21,7 +21,7 @@ template <Floating T>
 struct camera_frame {
   point<T, 3> position{};
   vec<T, 3> right{T(1), T(0), T(0)}, up{T(0), T(1), T(0)}, forward{T(0), T(0), T(-1)};
-  constexpr bool operator==(const camera_frame&) const = default;
+  bool operator==(const camera_frame&) const = default;
 };
 
 /// What orthonormalized made of a frame.

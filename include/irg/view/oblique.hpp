@@ -23,7 +23,7 @@ struct oblique_depth {
   T angle = T(45) * pi<T> / T(180);
   T factor = cabinet_factor<T>;
   T plane_z = T(0);
-  constexpr bool operator==(const oblique_depth&) const = default;
+  bool operator==(const oblique_depth&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -50,6 +50,13 @@ template <Floating T>
   m(0, 3) = product(x, plane_z);
   m(1, 3) = product(y, plane_z);
   return {m, projection_status::ok};
+}
+
+/// The matrix that moves depth sideways; see oblique_shear_checked.
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
+template <Floating T>
+[[nodiscard]] constexpr mat<T, 4, 4> oblique_shear(const oblique_depth<T>& how) noexcept {
+  return oblique_shear_checked(how).expected();
 }
 
 /// The oblique projection of a box, or why there is none.
@@ -80,7 +87,7 @@ template <Floating T>
 }
 
 /// The oblique projection of a box; see oblique_checked.
-/// needs   what makes that one ordinary; where this is broken and not caught, the identity comes out
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> oblique(const oblique_depth<T>& how, const view_window<T>& window,
                                              std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,

@@ -25,7 +25,7 @@ enum class polar_axis {
 template <Floating T>
 struct polar_coordinates {
   T distance{}, azimuth{}, elevation{};
-  constexpr bool operator==(const polar_coordinates&) const = default;
+  bool operator==(const polar_coordinates&) const = default;
 };
 
 /// A camera about a target.
@@ -34,7 +34,7 @@ template <Floating T>
 struct polar_camera {
   point<T, 3> target{};
   T distance = T(1), azimuth{}, elevation{}, roll{};
-  constexpr bool operator==(const polar_camera&) const = default;
+  bool operator==(const polar_camera&) const = default;
 };
 
 /// The angles of a polar camera by their sines and cosines.

@@ -152,7 +152,7 @@ template <Floating T>
 }
 
 /// The central projection of a window; see perspective_checked.
-/// needs   what makes that one ordinary; where this is broken and not caught, the identity comes out
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> perspective(const view_window<T>& window, std::type_identity_t<T> distance,
                                                  std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,

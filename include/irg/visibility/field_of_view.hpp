@@ -22,7 +22,7 @@ namespace irg {
 /// shape   at most half a turn; all directions when one of them is (0, 0)
 struct sight_cone {
   cell from, to;
-  constexpr bool operator==(const sight_cone&) const = default;
+  bool operator==(const sight_cone&) const = default;
 };
 
 /// What is looked for.
@@ -32,7 +32,7 @@ struct view_options {
   int radius = (std::numeric_limits<int>::max)();
   /// Only cells in these directions, seen along z.
   sight_cone cone;
-  constexpr bool operator==(const view_options&) const = default;
+  bool operator==(const view_options&) const = default;
 };
 
 /// What the sweeps need while they run; kept from call to call, it spares allocations.
@@ -55,7 +55,7 @@ struct view_counts {
     sight_lines += o.sight_lines;
     return *this;
   }
-  constexpr bool operator==(const view_counts&) const = default;
+  bool operator==(const view_counts&) const = default;
 };
 
 /// The same memory for who wants to know what was looked at: each field of view is added to the counts.

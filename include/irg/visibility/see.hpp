@@ -22,7 +22,7 @@ enum class end_cells {
 struct line_of_sight_options {
   corner_rule corners = corner_rule::pinch;
   end_cells ends = end_cells::untested;
-  constexpr bool operator==(const line_of_sight_options&) const = default;
+  bool operator==(const line_of_sight_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -34,14 +34,14 @@ struct sight_sampling_options {
   std::int64_t lines = 1000;
   std::uint64_t seed = 1;
   double deviations = 2.5758293035489004;  ///< of the normal distribution: 99 of 100 error bars hold the true share
-  constexpr bool operator==(const sight_sampling_options&) const = default;
+  bool operator==(const sight_sampling_options&) const = default;
 };
 
 /// How many of some sight lines are free, and between which limits the true share lies, as often as was asked for.
 struct sampled_sight {
   std::int64_t lines = 0, seen = 0;
   double share = 0, low = 0, high = 1;
-  constexpr bool operator==(const sampled_sight&) const = default;
+  bool operator==(const sampled_sight&) const = default;
 };
 
 inline namespace IRG_ABI {

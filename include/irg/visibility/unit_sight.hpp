@@ -14,7 +14,7 @@ namespace irg {
 /// Of all pairs of a cell of one region and a cell of another, how many see each other.
 struct region_sight {
   std::int64_t pairs = 0, seen = 0;
-  constexpr bool operator==(const region_sight&) const = default;
+  bool operator==(const region_sight&) const = default;
 };
 
 inline namespace IRG_ABI {

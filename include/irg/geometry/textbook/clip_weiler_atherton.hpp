@@ -16,7 +16,7 @@ struct weiler_atherton_clip {
   weiler_atherton_status status = weiler_atherton_status::ok;
   std::vector<std::vector<point<T, 2>>> rings{};
   std::vector<point<T, 2>> entering{}, leaving{};
-  constexpr bool operator==(const weiler_atherton_clip&) const = default;
+  bool operator==(const weiler_atherton_clip&) const = default;
 };
 
 }  // namespace irg::textbook

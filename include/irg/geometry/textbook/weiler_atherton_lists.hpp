@@ -23,7 +23,7 @@ struct listed_vertex {
   std::size_t edge = 0;
   T along = 0;  // from 0 at the edge's start to 1
   std::optional<std::size_t> crossing{};
-  constexpr bool operator==(const listed_vertex&) const = default;
+  bool operator==(const listed_vertex&) const = default;
 };
 
 /// A point where the subject (0) enters or leaves the clip polygon (1), and its places in the lists of both.
@@ -32,7 +32,7 @@ struct listed_crossing {
   point<T, 2> at;
   bool enters = false;
   std::size_t ring[2] = {}, place[2] = {};
-  constexpr bool operator==(const listed_crossing&) const = default;
+  bool operator==(const listed_crossing&) const = default;
 };
 
 /// The lists of the subject (0) and of the clip polygon (1), one for each ring, and all crossings, if status is `ok`.
@@ -41,7 +41,7 @@ struct weiler_atherton_lists {
   weiler_atherton_status status = weiler_atherton_status::ok;
   std::vector<std::vector<listed_vertex<T>>> subject{}, clip{};
   std::vector<listed_crossing<T>> crossings{};
-  constexpr bool operator==(const weiler_atherton_lists&) const = default;
+  bool operator==(const weiler_atherton_lists&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -209,7 +209,7 @@ struct window_cell {
 };
 struct finished_cell {
   std::vector<cell_corner> corners{};
-  std::uint32_t number = no_face;
+  std::uint32_t number = no_index;
 };
 
 inline namespace IRG_ABI {
@@ -464,7 +464,7 @@ constexpr void cut_or_finish(Cutting& s, window_cell&& cell, std::vector<window_
     return split_cell(s, cell, s.sides[std::size_t{3} * next->face + side], waiting);
   }
   if (meets) return split_cell(s, cell, line, waiting);
-  s.cells.push_back({std::move(cell.corners), cell.faces.empty() ? no_face : s.numbers[cell.faces[0].face]});
+  s.cells.push_back({std::move(cell.corners), cell.faces.empty() ? no_index : s.numbers[cell.faces[0].face]});
 }
 
 template <class Cutting>

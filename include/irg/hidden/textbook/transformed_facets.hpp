@@ -20,7 +20,7 @@ enum class vertex_memory { none, row };
 /// How much was done to transform the vertices of all facets.
 struct transform_counts {
   std::int64_t facets = 0, transforms = 0;
-  constexpr bool operator==(const transform_counts&) const = default;
+  bool operator==(const transform_counts&) const = default;
 };
 
 inline namespace IRG_ABI {

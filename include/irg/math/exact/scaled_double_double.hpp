@@ -26,7 +26,7 @@ struct scaled_double_double {
   IRG_INLINE constexpr scaled_double_double(double h, double l, int e) noexcept : high(h), low(l), exponent(e) {}
   IRG_INLINE constexpr scaled_double_double(const exact_sum<double>& x, int e) noexcept
       : high(x.value), low(x.error), exponent(e) {}
-  constexpr bool operator==(const scaled_double_double&) const = default;
+  bool operator==(const scaled_double_double&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -20,7 +20,7 @@ namespace irg::detail {
 struct IRG_APART space_box {
   double low[3], high[3];
 
-  constexpr bool operator==(const space_box&) const = default;
+  bool operator==(const space_box&) const = default;
 
   constexpr void add(const point<double, 3>& p) noexcept {
     for (int i = 0; i < 3; ++i) {

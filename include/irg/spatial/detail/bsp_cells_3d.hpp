@@ -297,8 +297,8 @@ constexpr int side_of_corner(const bsp_cells_3d<T>& cells, std::uint32_t triangl
     return side < 3 ? points_of_side(cells.d, triangle, side) : points_of(cells.d, cells.d.nodes[side - 3].plane);
   };
   const plane_points<T> whole = points_of(cells.d, {triangle, bsp_plane_3d::of_triangle});
-  return side_of_meeting(whole, points(last), points(next), points_of(cells.d, cells.d.nodes[by.number].plane))
-      .value_or(0);
+  return sign_of(side_of_meeting(whole, points(last), points(next), points_of(cells.d, cells.d.nodes[by.number].plane))
+                     .value_or(irg::side::on));
 }
 
 // A triangle that a plane cuts: is the piece of it cut, too?
@@ -448,7 +448,7 @@ struct bsp_walk_step {
   walked_plane plane;
   std::uint32_t below[2], piece;
 };
-inline constexpr std::uint32_t several_pieces = bsp_none - 1;
+inline constexpr std::uint32_t several_pieces = no_index - 1;
 
 struct bsp_sizes {
   std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0, links = 0;
@@ -480,12 +480,12 @@ constexpr std::uint32_t& link_of(growing_bsp_3d<T>& tree, const bsp_link& l) noe
 template <Floating T>
 constexpr bsp_walk_step step_at(const growing_bsp_3d<T>& tree, std::uint32_t i) {
   const bsp_node_3d& n = tree.data.nodes[i];
-  const bool has_one = n.beside == bsp_none && n.last - n.first <= 1;
+  const bool has_one = n.beside == no_index && n.last - n.first <= 1;
   return {walked_plane(tree.planes[i]),
           {n.back, n.front},
           !has_one           ? several_pieces
           : n.first < n.last ? n.first
-                             : bsp_none};
+                             : no_index};
 }
 
 template <Floating T>
@@ -498,7 +498,7 @@ constexpr bsp_sizes sizes_of(const growing_bsp_3d<T>& tree) noexcept {
 template <Floating T>
 constexpr void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to) {
   for (; tree.links.size() > to.links; tree.links.pop_back()) {
-    link_of(tree, tree.links.back()) = bsp_none;
+    link_of(tree, tree.links.back()) = no_index;
     tree.steps[tree.links.back().node] = step_at(tree, tree.links.back().node);
   }
   tree.data.vertices.resize(to.vertices, point<T, 3>{});
@@ -516,7 +516,7 @@ template <Floating T>
 constexpr std::uint32_t make_node(growing_bsp_3d<T>& tree, bsp_plane_3d plane) {
   const auto here = static_cast<std::uint32_t>(tree.data.nodes.size());
   const auto end = static_cast<std::uint32_t>(tree.data.pieces.size());
-  tree.data.nodes.push_back({plane, end, end, bsp_none, bsp_none, bsp_none});
+  tree.data.nodes.push_back({plane, end, end, no_index, no_index, no_index});
   tree.planes.push_back(plane_of(tree.data, plane));
   return here;
 }
@@ -530,7 +530,7 @@ constexpr void hang(growing_bsp_3d<T>& tree, std::uint32_t node, const bsp_link&
 // A new node for pieces in the plane of one that is there.
 template <Floating T>
 constexpr std::uint32_t make_node_beside(growing_bsp_3d<T>& tree, std::uint32_t node) {
-  while (tree.data.nodes[node].beside != bsp_none) node = tree.data.nodes[node].beside;
+  while (tree.data.nodes[node].beside != no_index) node = tree.data.nodes[node].beside;
   const std::uint32_t here = make_node(tree, tree.data.nodes[node].plane);
   hang(tree, here, {node, hung::beside});
   return here;
@@ -548,13 +548,13 @@ constexpr auto take_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 
                               std::span<const triangle_indices> triangles) {
   const auto base = static_cast<std::uint32_t>(tree.data.vertices.size());
   tree.data.vertices.insert(tree.data.vertices.end(), vertices.begin(), vertices.end());
-  typename growing_bsp_3d<T>::open_cell all{{}, {bsp_none, hung::in_front}};
+  typename growing_bsp_3d<T>::open_cell all{{}, {no_index, hung::in_front}};
   for (const triangle_indices& t : triangles) {
     const auto number = static_cast<std::uint32_t>(tree.data.triangles.size());
     for (const std::uint32_t v : t.v) IRG_EXPECTS(v < vertices.size());
     tree.data.triangles.push_back({{t.v[0] + base, t.v[1] + base, t.v[2] + base}});
     if (has_area(tree.data, number))
-      all.pieces.push_back({number, bsp_none, 0, 0});
+      all.pieces.push_back({number, no_index, 0, 0});
     else
       ++tree.left_out;
   }
@@ -576,11 +576,11 @@ constexpr void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3
     open_cell t = std::move(open.back());
     open.pop_back();
     // The root, or what hangs where this would hang: there only before anything is added.
-    std::uint32_t here = t.at.node != bsp_none ? link_of(tree, t.at) : tree.data.nodes.empty() ? bsp_none : 0;
-    const bool is_new = here == bsp_none;
+    std::uint32_t here = t.at.node != no_index ? link_of(tree, t.at) : tree.data.nodes.empty() ? no_index : 0;
+    const bool is_new = here == no_index;
     if (is_new) {
       here = make_node(tree, dividing_plane(cells, t.pieces, choice));
-      if (t.at.node != bsp_none) hang(tree, here, t.at);
+      if (t.at.node != no_index) hang(tree, here, t.at);
     }
     on.clear();
     open_cell front{{}, {here, hung::in_front}}, back{{}, {here, hung::behind}};

@@ -22,7 +22,7 @@ using range_of = typename Source::range;
 
 constexpr bvh_node empty_node() noexcept {
   bvh_node n{};
-  for (int k = 0; k < bvh_node::width; ++k) set_child(n, k, bvh_node::none, empty_item());
+  for (int k = 0; k < bvh_node::width; ++k) set_child(n, k, no_index, empty_item());
   return n;
 }
 
@@ -51,7 +51,7 @@ constexpr void append_part(bvh_growth<Source>& g, const bvh& part) {
   for (const bvh_node& from : part.nodes) {
     nodes.push_back(from);
     for (std::uint32_t& child : nodes.back().child)
-      if (child != bvh_node::none) child += bvh_node::is_leaf(child) ? 2 * first_leaf : first_node;
+      if (child != no_index) child += bvh_node::is_leaf(child) ? 2 * first_leaf : first_node;
   }
 }
 
@@ -82,7 +82,7 @@ constexpr bvh_item grow_leaf(bvh_growth<Source>& g, const range_of<Source>& r, s
   bvh_item around = empty_item();
   for (std::uint32_t i = 0; i < r.count || i % bvh_node::block != 0; ++i) {
     if (i >= r.count) {
-      g.tree.order.push_back(bvh_node::none);
+      g.tree.order.push_back(no_index);
       continue;
     }
     const bvh_item& item = item_at(g.source, r, i);

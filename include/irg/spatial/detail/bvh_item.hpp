@@ -77,7 +77,7 @@ IRG_INLINE constexpr void bins_kernel(std::int32_t* bin, const float* item, cons
 struct alignas(32) bvh_item {
   float v[8];
 
-  constexpr bool operator==(const bvh_item&) const = default;
+  bool operator==(const bvh_item&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -191,7 +191,7 @@ IRG_INLINE void walk_packet(const bvh_node* nodes, ray_packet& p, C& counts, con
       const bvh_node& parent = nodes[slot / bvh_node::width];
       const std::uint32_t k = slot % bvh_node::width, child = parent.child[k];
       const unsigned rays = rays_at_box(p, parent, k);
-      if (rays == 0 || child == bvh_node::none) continue;
+      if (rays == 0 || child == no_index) continue;
       if (!bvh_node::is_leaf(child)) {
         at = child;
         break;

@@ -322,7 +322,7 @@ IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ra
   const auto pop = [&]() IRG_INLINE_LAMBDA {
     std::uint64_t next = 0;
     do {
-      if (top == walk.waiting) return bvh_node::none;
+      if (top == walk.waiting) return no_index;
       next = *--top;
     } while (high < std::bit_cast<float>(static_cast<std::uint32_t>(next >> 32)));
     return static_cast<std::uint32_t>(next);
@@ -371,7 +371,7 @@ IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, c
   std::uint32_t at = 0;
   for (;;) {
     const std::uint32_t leaf = next_leaf<F, A>(nodes, r, at, walk, counts);
-    if (leaf != bvh_node::none) {
+    if (leaf != no_index) {
       count_leaf(counts, leaf);
       visit(leaf);
     }
@@ -406,7 +406,7 @@ IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r,
                                         C& counts = not_counted) {
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
   std::uint32_t waiting[bvh_waiting + bvh_node::width];
-  waiting[0] = bvh_node::none;
+  waiting[0] = no_index;
   const float high = r.high;
   std::uint32_t* top = waiting + 1;
   std::uint32_t at = 0;
@@ -422,7 +422,7 @@ IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r,
       top += std::popcount(bits) - 1;
       at = bits != 0 ? met : waits;
     }
-    if (at != bvh_node::none) {
+    if (at != no_index) {
       count_leaf(counts, at);
       if (visit(at)) return true;
     } else if (top == waiting) {

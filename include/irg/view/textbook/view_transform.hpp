@@ -30,7 +30,7 @@ struct view_steps {
   point<T, 3> g1{}, g2{}, g3{};  // the view point after T1, T2 and T3; T4 and T5 leave it
   T h{};  // the distance from the eye to the view point, where the picture plane is
   view_status status = view_status::not_finite;
-  constexpr bool operator==(const view_steps&) const = default;
+  bool operator==(const view_steps&) const = default;
 };
 
 inline namespace IRG_ABI {

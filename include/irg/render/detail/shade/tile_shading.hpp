@@ -156,7 +156,7 @@ private:
     std::optional<shading_setup<shader_type>> setup[count]{};
 
     constexpr kept_setups() noexcept {
-      for (std::uint32_t& p : place) p = no_face;
+      for (std::uint32_t& p : place) p = no_index;
     }
     IRG_INLINE constexpr const shading_setup<shader_type>& of(const shade_by_triangle& shade, std::uint32_t wanted) {
       const std::uint32_t i = wanted % count;

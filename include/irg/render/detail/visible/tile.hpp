@@ -90,7 +90,7 @@ IRG_INLINE void refresh_farthest(tile& t) noexcept {
 // What is at this key is not seen.
 IRG_INLINE void hide_key(tile& t, float key) noexcept {
   for (int i = 0; i < tile_size * tile_stride; ++i)
-    if (t.key[i] == key) t.id[i] = no_face;
+    if (t.key[i] == key) t.id[i] = no_index;
 }
 
 // The least key of a block.

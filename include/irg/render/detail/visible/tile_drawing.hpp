@@ -68,7 +68,7 @@ IRG_NOINLINE void decide_close(tile_pass<T>& p, std::uint32_t place, float key, 
   const bool at_farthest = key == p.farthest_key;
   if (key == stored) ++p.ties;
   bool is_seen = stored < key || (at_farthest && key == stored);
-  if (other != no_face) {
+  if (other != no_index) {
     const numbered_depth a{p.numbers[place], key * sign}, b{p.numbers[other], stored * sign};
     const cell pixel{p.window.x_first + at % tile_stride, p.window.y_first + at / tile_stride};
     is_seen = sign < 0 ? is_seen_before<nearer_is_less>(a, b, pixel, p.find)
