@@ -17,6 +17,7 @@ IRG_RENAMED_TYPE(known_number, scaled_double_double);
 IRG_RENAMED_TYPE(knots_error, knots_status);
 IRG_RENAMED_TYPE(meetings_found, bezier_intersection_status);
 IRG_RENAMED_TYPE(picture_format, image_format);
+IRG_RENAMED_TYPE(solvability, system_status);
 IRG_RENAMED_TYPE(triangulation_state, triangulation_status);
 
 }  // namespace irg

@@ -9,4 +9,5 @@ static_assert(std::is_same_v<irg::known_number, irg::scaled_double_double>);
 static_assert(std::is_same_v<irg::knots_error, irg::knots_status>);
 static_assert(std::is_same_v<irg::meetings_found, irg::bezier_intersection_status>);
 static_assert(std::is_same_v<irg::picture_format, irg::image_format>);
+static_assert(std::is_same_v<irg::solvability, irg::system_status>);
 static_assert(std::is_same_v<irg::triangulation_state, irg::triangulation_status>);
