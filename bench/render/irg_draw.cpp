@@ -9,8 +9,8 @@
 namespace bench::own {
 
 renderer::renderer(const scene& s)
-    : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), vertices_(s.objects.size()),
-      hidden_(s.to_clip, s.width, s.height) {
+    : scene_(s), mapping_(irg::map_to_screen<float>({s.width, s.height})), vertices_(s.objects.size()),
+      hidden_(s.to_clip, {s.width, s.height}) {
   triangles_.reserve(s.triangles.size());
   for (const scene_object& o : s.objects) {
     extents_.push_back({o.bounds, o.triangles});

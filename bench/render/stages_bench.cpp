@@ -75,7 +75,7 @@ struct measured {
 class frame {
 public:
   explicit frame(const scene& s)
-      : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), picture_(s.width, s.height),
+      : scene_(s), mapping_(irg::map_to_screen<float>({s.width, s.height})), picture_(s.width, s.height),
         depth_(s.width, s.height) {}
 
   seconds_of_stages draw(measured& out) {

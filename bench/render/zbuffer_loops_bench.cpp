@@ -22,7 +22,7 @@ struct vertices {
   std::vector<irg::screen_vertex> plain, copy;
 
   explicit vertices(scene made)
-      : s(std::move(made)), mapping(irg::map_to_screen<float>(s.width, s.height)), plain(s.positions.size()),
+      : s(std::move(made)), mapping(irg::map_to_screen<float>({s.width, s.height})), plain(s.positions.size()),
         copy(plain) {}
 };
 
@@ -168,7 +168,7 @@ struct tile_on_stage {
   explicit tile_on_stage(scene s)
       : what(std::move(s)), renderer(what),
         vertices(irg::project_vertices<float>(std::span<const irg::point<float, 3>>(what.positions), what.to_clip,
-                                              irg::map_to_screen<float>(64, 64))),
+                                              irg::map_to_screen<float>({64, 64}))),
         snapped(renderer.snapped()) {}
 
   // Triangle by triangle into the picture, without tiles.

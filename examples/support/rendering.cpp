@@ -169,7 +169,7 @@ void add_body(irg::line_drawing& drawing, const render_settings& s, irg::face_cu
   options.culling = culling;
   options.frustum = s.options.skip.frustum;
   const irg::mesh<double> body = joined(shape);
-  add_mesh(drawing, body, to_clip, irg::map_to_screen<double>(s.size.width, s.size.height), options);
+  add_mesh(drawing, body, to_clip, irg::map_to_screen<double>({s.size.width, s.size.height}), options);
   const auto triangles = [](const irg::mesh<double>& m) {
     return static_cast<std::int64_t>(m.corners.size()) - 2 * static_cast<std::int64_t>(m.face_count());
   };
@@ -195,7 +195,7 @@ irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<d
   stats.triangles = drawing.triangles;
   stats.skipped.frustum = drawing.beyond;
   stats.skipped.backface = drawing.culled;
-  irg::svg_drawing svg(text, s.size.width, s.size.height, colours.background);
+  irg::svg_drawing svg(text, {s.size.width, s.size.height}, colours.background);
   line_painter painter(picture, svg);
   const auto end_of = [&](const irg::edge_part& part, double t) { return point_on(drawing.edges[part.edge], t); };
   std::vector<irg::edge_part> visible;

@@ -126,7 +126,7 @@ TEST_CASE("map_to_screen: whatever is not cut can be snapped, in pictures up to 
   test::random r(4);
   for (const int width : {1, 2, 33, 1920, 32768, 65535})
     for (const int height : {1, 7, 1080, 32768, 65535}) {
-      const auto mapping = irg::map_to_screen<double>(width, height);
+      const auto mapping = irg::map_to_screen<double>({width, height});
       CHECK(mapping.guard.guard_x >= 1);
       CHECK(mapping.guard.guard_y >= 1);
       for (int i = 0; i < 200; ++i) {
@@ -186,7 +186,7 @@ int differences(int positions) {
                               irg::mat<T, 4, 4>{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, T(0x1p127f)}},
                               // z and w independent of each other: behind the eye on either side of the depth planes
                               irg::mat<T, 4, 4>{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}}) {
-    const auto mapping = irg::map_to_screen<T>(640, 480);
+    const auto mapping = irg::map_to_screen<T>({640, 480});
     const auto v = irg::project_vertices<T>(p, to_clip, mapping);
     irg::clip_code_pair any;
     for (std::size_t i = 0; i < p.size(); ++i) {

@@ -35,7 +35,7 @@ constexpr drawn draw(const mesh& m, int width, int height, irg::face_culling cul
                      const irg::mat<double, 4, 4>& to_clip = eye_at_origin, const E& executor = {},
                      irg::skipping frustum = irg::skipping::on) {
   drawn d{picture(width, height, 0), {}};
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   const auto v = irg::project_vertices<double>(m.positions, to_clip, mapping);
   d.stats = irg::draw_wireframe(d.lines, irg::projected_mesh{v, m, mapping, frustum}, 1, culling, executor);
   return d;
@@ -45,7 +45,7 @@ constexpr drawn draw(const mesh& m, int width, int height, irg::face_culling cul
 picture expected_lines(const mesh& m, const std::set<std::pair<std::uint32_t, std::uint32_t>>& edges, int width,
                        int height, std::int64_t& cells) {
   picture lines(width, height, 0);
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   const auto v = irg::project_vertices<double>(m.positions, eye_at_origin, mapping);
   const auto pixel = [&](std::uint32_t i) {
     const irg::subpixel p = v.screen[i].position;

@@ -47,6 +47,12 @@ enum class containment {
   inside  // surely all of it is in the region
 };
 
+/// How many pixels a picture has: in a row, and rows.
+struct extent2 {
+  int width = 0, height = 0;
+  constexpr bool operator==(const extent2&) const = default;
+};
+
 /// Three indices of vertices, counter-clockwise seen from outside.
 struct triangle_indices {
   std::uint32_t v[3];

@@ -46,7 +46,7 @@ constexpr std::vector<screen_face> faces_of_side(const mesh<T>& around, std::spa
   to_clip(1, side.up) = T(1);
   to_clip(2, 3) = options.near_distance;
   to_clip(3, side.forward) = static_cast<T>(side.forward_sign);
-  const screen_mapping<T> mapping = map_to_screen<T>(options.size, options.size);
+  const screen_mapping<T> mapping = map_to_screen<T>({options.size, options.size});
   const auto vertices = project_vertices<T>(std::span<const point<T, 3>>(around.positions), to_clip, mapping);
   std::vector<screen_face> out;
   for (std::size_t t = 0; t < around.face_count(); ++t) {

@@ -109,6 +109,9 @@ public:
   IRG_INLINE constexpr image(int width, int height, const P& fill = P{})
       : width_((IRG_EXPECTS(width >= 0 && height >= 0), width)), height_(height),
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
+  /// The same of a size; not from bare braces, which could as well be an image.
+  template <std::same_as<extent2> Extent>
+  IRG_INLINE constexpr explicit image(const Extent& size, const P& fill = P{}) : image(size.width, size.height, fill) {}
 
   [[nodiscard]] IRG_INLINE constexpr int width() const noexcept { return width_; }
   [[nodiscard]] IRG_INLINE constexpr int height() const noexcept { return height_; }

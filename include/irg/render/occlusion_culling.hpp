@@ -77,7 +77,7 @@ struct occlusion_view {
   projected_vertices<T> vertices;
 
   IRG_INLINE constexpr occlusion_view(const mat<T, 4, 4>& matrix, int w, int h, float key_sign, float farthest_key)
-      : to_clip(matrix), mapping(map_to_screen<T>(greater(w, 1), greater(h, 1))), width(w), height(h), sign(key_sign),
+      : to_clip(matrix), mapping(map_to_screen<T>({greater(w, 1), greater(h, 1)})), width(w), height(h), sign(key_sign),
         farthest(farthest_key), frustum(to_clip, mapping) {}
   IRG_INLINE constexpr bool has_pixels() const noexcept { return width > 0 && height > 0; }
 };
@@ -97,8 +97,11 @@ template <Floating T, DepthOrder Order = nearer_is_greater>
   requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
 class occlusion_culling {
 public:
-  IRG_INLINE constexpr occlusion_culling(const mat<T, 4, 4>& to_clip, int width, int height)
-      : view_(to_clip, width, height, detail::key_sign<Order>, Order::farthest * detail::key_sign<Order>) {}
+  IRG_INLINE constexpr occlusion_culling(const mat<T, 4, 4>& to_clip, const extent2& size)
+      : view_(to_clip, size.width, size.height, detail::key_sign<Order>, Order::farthest * detail::key_sign<Order>) {}
+  [[deprecated("irg: occlusion_culling(to_clip, {width, height})")]] IRG_INLINE constexpr occlusion_culling(
+      const mat<T, 4, 4>& to_clip, int width, int height)
+      : occlusion_culling(to_clip, extent2{width, height}) {}
 
   /// The objects that are worth drawing as occluders, the best first: those whose box covers 1024 pixels or more for
   /// each of their triangles.

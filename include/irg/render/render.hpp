@@ -128,7 +128,7 @@ struct picture_frame {
 
   constexpr picture_frame(const auto& world, int w, int h, const render_options& how)
       : view(world.view), light{world.ambient, world.lights, world.distance, world.k}, options(how), width(w),
-        height(h), mapping(map_to_screen<T>(w, h)),
+        height(h), mapping(map_to_screen<T>({w, h})),
         to_clip(view_projection(view, static_cast<T>(w) / static_cast<T>(h))) {}
 };
 
@@ -162,7 +162,7 @@ IRG_NOINLINE constexpr object_selection select_objects(const picture_frame<T>& f
   extents.reserve(candidates.size());
   result.drawn.reserve(candidates.size());
   for (const std::uint32_t k : candidates) extents.push_back(objects.made[k].extent);
-  occlusion_culling<T> boxes(f.to_clip, f.width, f.height);
+  occlusion_culling<T> boxes(f.to_clip, {f.width, f.height});
   if (options.hidden != hidden_surface_method::none && options.skip.occluded == skipping::on)
     for (const std::uint32_t i : boxes.choose_occluders(extents)) {
       const drawable<T>& body = prepared(objects, candidates[i]).body;

@@ -110,7 +110,7 @@ constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t
   prepared_scene<T> ready = prepare_scene(world);
   std::vector<traced_body<T>> bodies;
   std::vector<triangle_batch<T>> batches;
-  const screen_mapping<T> mapping = map_to_screen<T>(width, height);
+  const screen_mapping<T> mapping = map_to_screen<T>({width, height});
   const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(width) / static_cast<T>(height));
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < ready.objects.size(); ++i) {
