@@ -22,7 +22,7 @@ renderer::renderer(const scene& s)
 }
 
 void renderer::project(std::size_t object, int threads) {
-  irg::project_vertices<float>(vertices_[object], positions_of(scene_.objects[object]), scene_.to_clip, mapping_,
+  irg::project_vertices<float>(positions_of(scene_.objects[object]), scene_.to_clip, mapping_, vertices_[object],
                                irg::parallel{threads});
 }
 

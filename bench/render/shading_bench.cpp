@@ -97,7 +97,7 @@ struct subject {
                        {.style = irg::picture_style::phong, .colours = {.background = {}}});
   }
   irg::render_stats draw_textured() {
-    irg::project_vertices<double>(projected, body.positions, to_clip, mapping);
+    irg::project_vertices<double>(body.positions, to_clip, mapping, projected);
     const irg::triangle_batch<double> batch[] = {{&projected, body.triangles}};
     const irg::textured_vertices vertices[] = {{body.textured}};
     const irg::texture_pyramid textures[] = {{&levels}};

@@ -93,7 +93,7 @@ public:
 private:
   template <class Shading, class E>
   void draw_with(const Shading& shading, const E& executor, measured& out) {
-    irg::project_vertices<float>(vertices_, scene_.positions, scene_.to_clip, mapping_, executor);
+    irg::project_vertices<float>(scene_.positions, scene_.to_clip, mapping_, vertices_, executor);
     const irg::triangle_batch<float> batch[1] = {{&vertices_, scene_.triangles, 0, 0}};
     out.stats = irg::shade_batches<irg::nearer_is_greater, float>(
         irg::render_target{picture_, depth_}, {batch, mapping_}, shading,

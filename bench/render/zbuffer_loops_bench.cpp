@@ -61,7 +61,7 @@ void enter_vertices() {
   const contest c{"vertex_transform", "4098 vertices", "vertex", 3 * triangles, "1/256 px", "limit:memcpy"};
   vertices& v = keep(vertices(random_triangles(c.test_case, triangles, {40, 40, 1}, drawing::random_order, "")));
   const auto project = [&v] {
-    irg::project_vertices<float>(v.out, v.s.positions, v.s.to_clip, v.mapping);
+    irg::project_vertices<float>(v.s.positions, v.s.to_clip, v.mapping, v.out);
     asm volatile("" : : "r"(v.out.screen.data()) : "memory");
   };
   enter(c, {"irg", project, [&v] {

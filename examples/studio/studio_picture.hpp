@@ -369,7 +369,7 @@ struct studio_drawing {
                                    : phong ? picture_style::phong
                                            : picture_style::gouraud,
                                    culling, as_executor(sequential{}));
-    project_vertices<T>(kept_of(part).vertices, part.body.positions, to_clip, mapping);
+    project_vertices<T>(part.body.positions, to_clip, mapping, kept_of(part).vertices);
   }
 
   constexpr void opaque() {

@@ -424,7 +424,7 @@ TEST_CASE("foreign types: project_vertices takes positions of other types, conve
   const auto expected = irg::project_vertices<float>(std::span<const irg::point<float, 3>>(own), to_clip, mapping);
   const auto in_place = irg::project_vertices(own, to_clip, mapping);
   irg::projected_vertices<float> converted;
-  irg::project_vertices(converted, others, to_clip, mapping);
+  irg::project_vertices(others, to_clip, mapping, converted);
   const irg::projected_vertices<float> moved = std::move(converted);
   CHECK(in_place.positions.data() == own.data());
   CHECK(in_place.converted.empty());

@@ -90,7 +90,7 @@ batches_of cut(const triangle_scene& s, const irg::screen_mapping<double>& mappi
                                  ? all.size()
                                  : static_cast<std::size_t>(r.integer(static_cast<std::int64_t>(first),
                                                                       static_cast<std::int64_t>(all.size())));
-    irg::project_vertices<double>(out.vertices[i], s.positions, s.to_clip, mapping);
+    irg::project_vertices<double>(s.positions, s.to_clip, mapping, out.vertices[i]);
     out.batches.push_back({&out.vertices[i], all.subspan(first, last - first), static_cast<std::uint32_t>(first),
                            static_cast<std::uint32_t>(i)});
     first = last;

@@ -87,7 +87,7 @@ TEST_CASE("streamed_rows: a picture that is streamed has the pixels of one that 
     indices.push_back({{3 * i, 3 * i + 1, 3 * i + 2}});
   }
   projected_vertices<float> vertices;
-  project_vertices<float>(vertices, positions, identity<float, 4>(), mapping);
+  project_vertices<float>(positions, identity<float, 4>(), mapping, vertices);
   const batch all[1] = {{&vertices, indices, 0, 0}};
   draw_settings<rgba8> settings;
   settings.culling = face_culling::none;

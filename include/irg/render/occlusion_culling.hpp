@@ -421,7 +421,7 @@ constexpr void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> p
                             std::span<const triangle_indices> triangles, face_culling culling) {
   if (!v.has_pixels()) return;
   if (v.mask.layer.empty()) clear_block_mask(v.mask, v.width, v.height, v.sign, v.farthest);
-  project_vertices<T>(v.vertices, positions, v.to_clip, v.mapping);
+  project_vertices<T>(positions, v.to_clip, v.mapping, v.vertices);
   const triangle_batch<T> batch{&v.vertices, triangles, 0};
   const listing_rules<T> rules{v.mapping, {v.width, v.height}, culling};
   bin_portion scratch = scratch_portion(rules.grid);

@@ -41,7 +41,7 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, const ex
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
     prepared_object<T>& o = world.objects[i];
-    project_vertices<T>(detail::kept_of(o).vertices, o.body.positions, to_clip, mapping);
+    project_vertices<T>(o.body.positions, to_clip, mapping, detail::kept_of(o).vertices);
     batches.push_back({&detail::kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }

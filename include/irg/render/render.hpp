@@ -203,7 +203,7 @@ constexpr projected_objects<T> project_objects(const picture_frame<T>& f, const 
     observer(render_stage::prepare);
     to.shadings.emplace_back(o, f.light, eye).prepare(f.options.style, f.options.culling, executor);
     observer(render_stage::shade);
-    project_vertices<T>(kept_of(o).vertices, o.body.positions, f.to_clip, f.mapping, executor);
+    project_vertices<T>(o.body.positions, f.to_clip, f.mapping, kept_of(o).vertices, executor);
     to.batches.push_back(
         {&kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(to.batches.size())});
     number += static_cast<std::uint32_t>(o.body.triangles.size());

@@ -115,9 +115,9 @@ constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < ready.objects.size(); ++i) {
     prepared_object<T>& o = ready.objects[i];
-    bodies.push_back(
-        {o.body.positions, o.body.normals, o.body.triangles, o.surface, i < optic.size() ? optic[i] : optics<T>{}});
-    project_vertices<T>(detail::kept_of(o).vertices, o.body.positions, to_clip, mapping, executor);
+    bodies.push_back({o.body.positions, o.body.normals, o.body.triangles, o.surface,
+                      i < options.optics.size() ? options.optics[i] : optics<T>{}});
+    project_vertices<T>(o.body.positions, to_clip, mapping, detail::kept_of(o).vertices, executor);
     batches.push_back({&detail::kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }
