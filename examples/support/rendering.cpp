@@ -68,7 +68,8 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
     traced.culling = options.culling;
     traced.samples = s.samples;
     traced.limits.shadows = s.shadows ? irg::shadow_rays::on : irg::shadow_rays::off;
-    irg::render_stats stats = irg::render_traced<double>(world, optics, picture, traced, threads);
+    traced.optics = optics;
+    irg::render_stats stats = irg::render_traced(world, picture, traced, threads);
     stats.drawn = 0;
     const irg::rgba8 background = irg::picture_colours().background;
     for (int y = 0; y < s.size.height; ++y)
