@@ -78,7 +78,7 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
     return stats;
   }
   if (s.hidden == hidden_name::raytrace) {
-    const irg::render_stats stats = irg::render(irg::ray_tracing<>{}, world, {picture, depth}, options, threads);
+    const irg::render_stats stats = irg::render_with(irg::ray_tracing<>{}, world, {picture, depth}, options, threads);
     observer(irg::render_stage::draw);
     return stats;
   }
@@ -88,7 +88,7 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
                       : s.hidden == hidden_name::bsp     ? classical_method::bsp
                                                          : classical_method::ray_casting;
   const irg::render_stats stats =
-      irg::render(irg::hidden_surfaces_by{method}, world, {picture, depth}, options, threads);
+      irg::render_with(irg::hidden_surfaces_by{method}, world, {picture, depth}, options, threads);
   observer(irg::render_stage::draw);
   return stats;
 }

@@ -61,7 +61,7 @@ TEST_CASE("render_traced: the bytes of render() where rays add nothing, in every
     irg::render(s, {expected, depth}, options);
     CHECK((traced(s, {}, rays) == expected));
     picture by_tree(width, height);
-    irg::render(irg::ray_tracing<>{}, s, {by_tree, depth}, options);
+    irg::render_with(irg::ray_tracing<>{}, s, {by_tree, depth}, options);
     CHECK((by_tree == expected));
   }
 }

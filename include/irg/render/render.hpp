@@ -53,8 +53,16 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, HiddenSurfaceMethod<T> Method,
           Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
-                              render_options options = {}, const E& executor = {});
+constexpr render_stats render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+                                   render_options options = {}, const E& executor = {});
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          HiddenSurfaceMethod<T> Method, Executor E = sequential>
+  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
+[[deprecated("irg: render_with(method, world, target, ..)")]] constexpr render_stats render(
+    const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+    const render_options& options = {}, const E& executor = {}) {
+  return render_with(method, world, target, options, executor);
+}
 
 /// As above, of a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are
 /// worked out anew only where light, eye or style have changed since the last picture.
@@ -381,8 +389,8 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
 
 template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
-                              render_options options, const E& executor) {
+constexpr render_stats render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+                                   render_options options, const E& executor) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   options.skip.occluded = skipping::off;
