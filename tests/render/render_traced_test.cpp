@@ -29,7 +29,7 @@ irg::scene<double> world() {
 using picture = irg::image<irg::rgba8>;
 
 picture traced(const irg::scene<double>& s, const std::vector<irg::optics<double>>& optics,
-               const irg::traced_options<double>& options, int threads = 1) {
+               irg::traced_options<double> options, int threads = 1) {
   picture p(width, height);
   options.optics = optics;
   irg::render_traced(s, p, options, irg::parallel{threads});

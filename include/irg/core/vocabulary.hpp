@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The words that many chapters share: on which side, inside or outside, which way round, which way it faces; a value
-// and how it came about; no index. And where types of your own come in, each explained in its header:
+// The words that many chapters share: on which side, inside or outside, which way round, which way it faces; the size
+// of a picture; a value and how it came about; no index. And where types of your own come in, each explained in its
+// header:
 //
 //   yours                    enters by                what fits without a word from you
 //   a vector, a point        coordinate_traits<T>     x, y, z, w; [i] of fixed size        core/coordinates.hpp

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/vocabulary.hpp>
 
 namespace irg {
 
@@ -36,7 +37,7 @@ inline namespace IRG_ABI {
   return n <= 1 ? 0 : static_cast<int>(std::bit_width(n - 1));
 }
 
-/// The memory of a picture of width x height pixels: depth buffer, screen buffer, buffer of object references.
+/// The memory of a picture of this size: depth buffer, screen buffer, buffer of object references.
 /// needs   width >= 0, height >= 0
 /// gives   2^64 - 1 bytes where it is that or more
 /// exact   in integers; a last byte that is used in part counts as one

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <irg/colour/pixel.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/io/detail/svg_runs.hpp>
 #include <irg/math/vec.hpp>
 

@@ -10,6 +10,7 @@
 #include <irg/core/config.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/raster_concept.hpp>
+#include <irg/core/vocabulary.hpp>
 
 namespace irg {
 namespace detail {
@@ -131,6 +132,9 @@ public:
   [[nodiscard]] IRG_INLINE constexpr image_view<const P> view() const noexcept {
     return {pixels_.data(), width_, height_};
   }
+  /// The view, where one is asked for: functions that take views take images.
+  IRG_INLINE constexpr operator image_view<P>() & noexcept { return view(); }
+  IRG_INLINE constexpr operator image_view<const P>() const& noexcept { return view(); }
 
   bool operator==(const image&) const
     requires std::equality_comparable<P>

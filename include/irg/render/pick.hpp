@@ -25,7 +25,7 @@ struct picked_point {
 
 inline namespace IRG_ABI {
 
-/// What is seen in pixel (x, y) of a picture of this size.
+/// What is seen in a pixel of a picture of this size.
 /// needs   as render
 /// gives   nothing outside of the picture and where the background is seen
 /// exact   the face that render() shows there; the point is rounded
@@ -45,7 +45,7 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, const ex
     batches.push_back({&detail::kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }
-  const detail::picture_tiles grid(size.x, size.y);
+  const detail::picture_tiles grid(size.width, size.height);
   detail::triangle_bins& bins = detail::lists_of(world.workspace).bins;
   detail::bin_triangles<T>(bins, batches, {mapping, grid, culling}, as_executor(sequential{}));
   const std::size_t tile =

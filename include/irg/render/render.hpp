@@ -39,19 +39,21 @@ inline namespace IRG_ABI {
 ///         later covers what was drawn before
 /// exact   the same bytes for every executor, compiler, instruction set and for skipping on and off
 /// cost    the vertices and triangles once, then the pixels
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,
-          class Observer = no_observer>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          Executor E = sequential, class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth> target,
                               const render_options& options = {}, const E& executor = {}, Observer&& observer = {});
 
-/// As above, with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as ever.
+/// Renders a scene with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as
+/// ever.
+/// needs   as render
 /// gives   what the method finds. Nothing is left out because something else hides it, `options.hidden` has no say, and
 ///         edges are not faces: `wire` is drawn as `flat`. A method that says that it `finds_nearest()` is not asked
 ///         about windows that show the front faces of one convex body alone: pixels.convex counts these faces
 /// exact   where the method finds the nearest face by the picture's rule, the bytes of the z-buffer, depths included
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, HiddenSurfaceMethod<T> Method,
-          Executor E = sequential>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          HiddenSurfaceMethod<T> Method, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_stats render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
                                    render_options options = {}, const E& executor = {});
@@ -64,13 +66,13 @@ template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = im
   return render_with(method, world, target, options, executor);
 }
 
-/// As above, of a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are
+/// Renders a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are
 /// worked out anew only where light, eye or style have changed since the last picture.
 /// shape   prepare_scene(world) makes such a scene
 /// exact   the same bytes as from the scene it was made of
 /// cost    the vertices once, then the pixels
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,
-          class Observer = no_observer>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          Executor E = sequential, class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, Depth> target,
                               const render_options& options = {}, const E& executor = {}, Observer&& observer = {});

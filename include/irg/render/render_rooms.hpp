@@ -59,7 +59,8 @@ visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors, const came
 ///         two doors ending at one point. Where rooms touch back to back, a triangle of a skipped one that is thinner
 ///         than a 256th of a pixel may have shown its back as front: about one pixel in 5 million
 /// cost    as render(), for the rooms that are seen
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
                               const render_options& options = {}, const E& executor = {});

@@ -29,7 +29,8 @@ template <Floating T>
 /// Renders a scene, what is seen decided by its tree.
 /// needs   the tree that make_scene_bsp made of the same objects; light, camera and surfaces may have changed
 /// gives   the picture of `render`, but for the pixels that bsp_scene_painter names. No object is skipped whole
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_stats render_with(const bsp_tree_3d<T>& tree, const scene<T>& world,
                                    render_target<Colour, Depth> target, render_options options = {},

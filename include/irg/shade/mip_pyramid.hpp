@@ -105,7 +105,7 @@ template <TextureRaster R>
 }
 
 /// The level whose texels are as large as pixels: the binary logarithm of the longer side of a pixel's image in a
-/// texture of width x height texels.
+/// texture of this size, in texels.
 /// gives   0 where texels are larger than pixels, and for NaN; at most 32
 /// exact   within 2 ulp of 1/2 log2 of the longer side's square
 /// source  Williams 1983

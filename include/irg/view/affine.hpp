@@ -19,8 +19,8 @@ enum class map_orientation { reversing = -1, singular = 0, preserving = 1 };
 
 inline namespace IRG_ABI {
 
-/// Moves everything by v.
-template <Vector V>
+/// Moves everything by v, in bare braces one of doubles.
+template <Vector V = vec<double, 3>>
   requires(size_of<V> == 3)
 [[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> translation(const V& v) noexcept {
   auto m = identity<scalar_of<V>, 4>();
@@ -75,7 +75,7 @@ template <Floating T>
 /// gives   the identity for an axis that is zero, NaN or infinite
 /// exact   entries within 10u of the true ones (u = 2^-53, float 2^-24; found: 7.1u), orthonormal within 16u
 /// source  Rodrigues 1840
-template <Vector V>
+template <Vector V = vec<double, 3>>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
 [[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> rotation(const V& axis, scalar_of<V> angle) noexcept {
   using T = scalar_of<V>;
