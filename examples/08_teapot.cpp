@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
 
   irg::image<irg::rgba8> picture(640, 480);
   irg::image<float> depth(640, 480);
-  const irg::render_stats stats = irg::render(scene, {picture, depth}, {.style = irg::picture_style::phong});
+  const irg::render_counts stats = irg::render(scene, {picture, depth}, {.style = irg::picture_style::phong});
 
   if (const auto saved = irg::save_image(file, picture); !saved)
     program::fail("08_teapot", saved.error().message + (": " + file));

@@ -26,7 +26,7 @@ struct chequers {
 
   irg::rgba8 pixel(const std::array<float, 3>& at) const {
     const bool dark = (static_cast<int>(at[0] * 24) + static_cast<int>(at[1] * 8)) % 2 != 0;
-    const float light = irg::clamp(at[2], 0.05f, 1.0f);
+    const float light = irg::clamped(at[2], 0.05f, 1.0f);
     return dark ? irg::encode({0.05f * light, 0.1f * light, 0.25f * light})
                 : irg::encode({0.9f * light, 0.8f * light, 0.6f * light});
   }

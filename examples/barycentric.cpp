@@ -88,7 +88,7 @@ std::string report_of(const program::command_line& line, const problem& p, bool 
 irg::image<irg::rgba8> picture_of(const problem& p, const program::picture_size& size) {
   using program::sketch;
   sketch drawing;
-  const int axis = irg::widest_view(p.a, p.b, p.c).value_or(2);
+  const int axis = irg::dropped_axis(p.a, p.b, p.c).value_or(2);
   const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
   const auto seen = [&](const point& q) { return sketch::place{q[u], q[v]}; };
   for (const point* corner : {&p.a, &p.b, &p.c}) drawing.line(seen(p.t), seen(*corner), sketch::grey);

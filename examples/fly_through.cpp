@@ -166,7 +166,8 @@ public:
     knots_.resize(count + order);
     std::vector<double> places(count);
     if (kind == path_kind::through) {
-      if (!irg::fit_places(std::span<const point>(points_), irg::fit_spacing::centripetal, places))
+      if (irg::parametrize(std::span<const point>(points_), irg::fit_spacing::centripetal, places) !=
+          irg::bspline_fit_status::ok)
         line.fail("all points of the path are one");
       irg::fit_knots(std::span<const double>(places), degree_, count, knots_);
     } else {
@@ -179,8 +180,7 @@ public:
     if (!knots) line.fail("successive points of the path are one");
     if (kind == path_kind::through) {
       const std::vector<point> given = points_;
-      if (irg::bspline_interpolate(*knots, places, std::span<const point>(given), points_).status !=
-          irg::bspline_fit_status::ok)
+      if (!irg::bspline_interpolate(*knots, places, std::span<const point>(given), points_))
         line.fail("successive points of the path are one");
     }
     room_.resize(2 * order);

@@ -55,7 +55,7 @@ enum class method { sweep, exact, thesis, thesis_face_path };
 
 struct settings : program::drawing_options {
   method how = method::sweep;
-  irg::sight_rules rules;
+  irg::line_of_sight_options rules;
   bool percent = false, pairs = false;
 
   bool by_thesis() const { return how == method::thesis || how == method::thesis_face_path; }

@@ -59,7 +59,7 @@ equations read_equations(const program::command_line& line, const std::string& i
 
 std::string report_of(const solution& s, bool list) {
   if (!s) {
-    const char* const why = s.kind == irg::solvability::dependent ? "dependent" : "inconsistent";
+    const char* const why = s.status == irg::system_status::dependent ? "dependent" : "inconsistent";
     return std::string(list ? "" : "singular: ") + why + "\n";
   }
   return std::string(list ? "" : "solution: ") + program::shortest(s.x[0]) + " " + program::shortest(s.x[1]) + " " +
@@ -134,7 +134,7 @@ void run(program::command_line& line) {
   const program::drawing_options s = read_settings(line);
   const equations e = read_equations(line, s.input);
   const solution answer = irg::solve_exact(e);
-  if (answer.kind == irg::solvability::not_finite) line.fail("a number of the solution is too large");
+  if (answer.status == irg::system_status::not_finite) line.fail("a number of the solution is too large");
   const std::string report = report_of(answer, s.list);
   if (!s.out.empty()) program::write_picture(line, s.out, picture_of(e, answer, s.size));
   std::fwrite(report.data(), 1, report.size(), stdout);

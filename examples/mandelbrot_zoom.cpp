@@ -109,7 +109,7 @@ void run(program::command_line& line) {
     const double done = s.pictures == 1 ? 0 : static_cast<double>(i) / (s.pictures - 1);
     const double width = s.from * std::pow(s.to / s.from, done);
     job.pixel = width / s.size.width;
-    const irg::deep_escape_stats stats = irg::draw_deep_mandelbrot(counts, job, irg::parallel{s.threads});
+    const irg::deep_escape_counts stats = irg::draw_deep_mandelbrot(counts, job, irg::parallel{s.threads});
     longest = stats.reference > longest ? stats.reference : longest;
     glitches += stats.rebased;
     for (int y = 0; y < shown.height(); ++y)

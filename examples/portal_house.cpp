@@ -165,7 +165,7 @@ irg::image<irg::rgba8> picture_of(irg::cell_plan<double> plan, const irg::camera
   irg::render_options options;
   options.style = irg::picture_style::flat;
   options.skip.rooms = s.skip;
-  const irg::render_stats stats = irg::render(building, {picture, depth}, options);
+  const irg::render_counts stats = irg::render(building, {picture, depth}, options);
   text += "triangles: " + std::to_string(stats.triangles) + ", " + std::to_string(stats.skipped.rooms) +
           " of them in rooms that were skipped\n";
   return picture;

@@ -96,7 +96,7 @@ std::optional<mat3> quotient(const program::command_line& line, const mat3& A, c
   mat3 m;
   for (int r = 0; r < 3; ++r) {
     const auto x = irg::solve_exact(irg::transpose(B), row(A, r));
-    if (x.kind == irg::solvability::not_finite) line.fail("a number of M3 is too large");
+    if (x.status == irg::system_status::not_finite) line.fail("a number of M3 is too large");
     if (!x) return std::nullopt;
     for (int c = 0; c < 3; ++c) m(r, c) = x.x[c];
   }

@@ -25,6 +25,7 @@ module;
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <typeindex>
 #include <utility>
 #include <vector>
 #include <stdlib.h>

@@ -120,7 +120,7 @@ struct printer {
 
 const printer printers[] = {
     {"irg",
-     [](char* text, double v) { return static_cast<std::size_t>(irg::print_decimal(text, text + 40, v) - text); }},
+     [](char* text, double v) { return static_cast<std::size_t>(*irg::print_decimal(text, text + 40, v) - text); }},
     {"std::to_chars",
      [](char* text, double v) { return static_cast<std::size_t>(std::to_chars(text, text + 40, v).ptr - text); }},
     {"snprintf %.17g",

@@ -38,11 +38,11 @@ struct set {
 };
 
 mat4 turned(bench::random_numbers& r) {
-  mat4 a = irg::identity<double, 4>();
+  mat4 a = irg::identity_matrix<double, 4>();
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j) {
       const double t = r.between(-1, 1), c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-      mat4 turn = irg::identity<double, 4>();
+      mat4 turn = irg::identity_matrix<double, 4>();
       turn(i, i) = turn(j, j) = c;
       turn(i, j) = -s;
       turn(j, i) = s;
@@ -63,7 +63,7 @@ mat4 of_condition(bench::random_numbers& r, int power) {
 // A motion, then a perspective projection whose planes are at 1 and at `far` times that.
 mat4 camera(bench::random_numbers& r, double away, double far) {
   const mat4 whole = turned(r);
-  mat4 motion = irg::identity<double, 4>(), projection{};
+  mat4 motion = irg::identity_matrix<double, 4>(), projection{};
   const double c = whole(0, 0), s = std::sqrt(1 - c * c);
   motion(0, 0) = motion(2, 2) = c, motion(0, 2) = s, motion(2, 0) = -s;
   for (int y = 0; y < 3; ++y) motion(y, 3) = away * r.between(-1, 1);

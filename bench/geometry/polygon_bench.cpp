@@ -157,9 +157,9 @@ void locations() {
   const auto number = [](irg::location l) { return static_cast<int>(l); };
   contest(
       "point_in_convex", "1000 edges",
-      {add("irg", points, [=, &circle](const P& p) { return number(irg::point_in_convex_polygon_log(circle, p)); }),
+      {add("irg", points, [=, &circle](const P& p) { return number(irg::point_in_convex_polygon(circle, p)); }),
        add("irg:by_edges", points,
-           [=, &circle](const P& p) { return number(irg::point_in_convex_polygon(circle, p)); }),
+           [=, &circle](const P& p) { return number(irg::detail::locate_by_edges(circle, p)); }),
        add("irg:any_polygon", points, [=, &circle](const P& p) { return number(irg::point_in_polygon(circle, p)); })},
       points.size(), "point");
 }

@@ -46,11 +46,11 @@ struct scene_of_faces {
 
 // Of the faces that cover a pixel the one that is nearest: each is asked once.
 id_image exact_picture(const std::vector<irg::screen_face>& faces, int width, int height) {
-  id_image ids(width, height, irg::no_face);
+  id_image ids(width, height, irg::no_index);
   for (const irg::screen_face& f : faces)
     irg::covered_spans(f.coverage, {0, 0, width, height}, [&](const irg::span_of_cells& s) {
       for (int x = s.x_first; x < s.x_last; ++x)
-        if (ids(x, s.y) == irg::no_face || irg::is_nearer(f, faces[ids(x, s.y)], x, s.y)) ids(x, s.y) = f.number;
+        if (ids(x, s.y) == irg::no_index || irg::is_nearer(f, faces[ids(x, s.y)], x, s.y)) ids(x, s.y) = f.number;
     });
   return ids;
 }
@@ -88,7 +88,7 @@ struct mixture {
 // depths.
 scene_of_faces make_scene(int side, int n, int complexity, const mixture& of) {
   test::random r(11);
-  scene_of_faces s{side, side, {}, {}, id_image(side, side, irg::no_face)};
+  scene_of_faces s{side, side, {}, {}, id_image(side, side, irg::no_index)};
   const int all = side * irg::one_pixel;
   const int radius = static_cast<int>(std::sqrt(complexity / (1.299 * n)) * all) + 64;
   std::vector<three_corners> corners;
@@ -136,7 +136,7 @@ scene_of_faces bunny_scene(int width, int height, irg::face_culling culling) {
   irg::box<double, 3> around;
   for (const auto& p : body.positions) around = irg::bounding_box(around, p);
   const double scale = 0.95 * height / (around.high.y - around.low.y);
-  scene_of_faces s{width, height, {}, {}, id_image(width, height, irg::no_face)};
+  scene_of_faces s{width, height, {}, {}, id_image(width, height, irg::no_index)};
   for (const irg::triangle_indices& t : body.triangles) {
     irg::screen_vertex v[3];
     for (int k = 0; k < 3; ++k) {
@@ -213,7 +213,7 @@ void add(const series& in, const std::string& who, int n, lazy<scene_of_faces>& 
   const contest what{in.kernel, std::to_string(n) + in.of_what, "picture", 1, "", ""};
   contender c{who, [&scene, &t, n, method] {
                 scene_of_faces& s = *scene;
-                s.drawn = id_image(s.width, s.height, irg::no_face);
+                s.drawn = id_image(s.width, s.height, irg::no_index);
                 s.counts = {};
                 const auto start = std::chrono::steady_clock::now();
                 method(s.faces, s.window(), s.drawn, s.counts);

@@ -26,7 +26,7 @@ struct everything {
   one_scene::bodies bodies = one_scene::make();
   std::vector<irg::screen_face> faces = one_scene::faces_of(bodies);
   irg::bsp_tree_3d<double> tree{bodies.corners, bodies.triangles};
-  id_image exact{one_scene::width, one_scene::height, irg::no_face}, drawn = exact;
+  id_image exact{one_scene::width, one_scene::height, irg::no_index}, drawn = exact;
   irg::draw_counts counts{};
   std::size_t depth_buffers = 0, bytes = 0;
 
@@ -55,7 +55,7 @@ void add(const std::string& who, lazy<everything>& all, const Make& make) {
   const contest what{"one scene", "ball, ring, cube, sheets, rods", "picture"};
   contender c{who, [&all, make] {
                 everything& e = *all;
-                e.drawn = id_image(one_scene::width, one_scene::height, irg::no_face);
+                e.drawn = id_image(one_scene::width, one_scene::height, irg::no_index);
                 e.counts = {};
                 test::large_block = std::size_t{4} * one_scene::width * one_scene::height;
                 test::large_blocks = test::bytes_asked_for = 0;

@@ -36,7 +36,7 @@ body torus(bool shuffled) {
   const int side = smoke() ? 10 : 1000;
   body m = irg::shape_torus<double>({.major_segments = side, .minor_segments = side / 2});
   m.normals.clear();
-  for (auto& c : m.corners) c.normal = irg::mesh_corner::none;
+  for (auto& c : m.corners) c.normal = irg::no_index;
   test::random random(20);
   for (std::size_t f = m.face_count(); shuffled && f > 1; --f) {
     const auto g = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(f) - 1));

@@ -33,7 +33,7 @@ struct stage {
   std::vector<irg::subpixel> snapped;
   lazy<exact_picture> exact;
   frame_memory& to;
-  irg::render_stats stats{};  // of the last frame
+  irg::render_counts stats{};  // of the last frame
 
   explicit stage(scene s)
       : what(std::move(s)), renderer(what), snapped(renderer.snapped()),

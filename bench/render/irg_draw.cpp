@@ -52,10 +52,10 @@ renderer::left_out renderer::collect(const irg::skip_options& skip, int threads)
 }
 
 template <class Picture, class MakeShader>
-irg::render_stats renderer::draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
-                                      const irg::skip_options& skip, int threads) {
+irg::render_counts renderer::draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
+                                       const irg::skip_options& skip, int threads) {
   const left_out whole = collect(skip, threads);
-  irg::render_stats stats = irg::shade_batches<irg::nearer_is_greater, float>(
+  irg::render_counts stats = irg::shade_batches<irg::nearer_is_greater, float>(
       irg::render_target{picture, depth}, {batches_, mapping_}, make_shader,
       {.culling = scene_.culling, .skip = skip, .clear = irg::clearing::before_drawing, .workspace = &workspace_},
       irg::parallel{threads});
@@ -65,12 +65,12 @@ irg::render_stats renderer::draw_with(Picture& picture, irg::image<float>& depth
   return stats;
 }
 
-irg::render_stats renderer::draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth,
-                                 const irg::skip_options& skip, int threads) {
+irg::render_counts renderer::draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth,
+                                  const irg::skip_options& skip, int threads) {
   return draw_with(picture, depth, vertex_colours{scene_}, skip, threads);
 }
 
-irg::render_stats renderer::draw_encoded(irg::image<irg::rgba8>& picture, irg::image<float>& depth) {
+irg::render_counts renderer::draw_encoded(irg::image<irg::rgba8>& picture, irg::image<float>& depth) {
   return draw_with(picture, depth, encoded_colours{scene_}, {}, 1);
 }
 
@@ -81,7 +81,7 @@ void renderer::draw_ids(irg::image<std::uint32_t>& ids, irg::image<float>& depth
   draw_with(ids, depth, make_shader, {}, 1);
 }
 
-irg::render_stats renderer::draw_depth(irg::image<float>& depth, int threads) {
+irg::render_counts renderer::draw_depth(irg::image<float>& depth, int threads) {
   collect({}, threads);
   return irg::draw_depth<irg::nearer_is_greater, float>(
       depth, {batches_, mapping_},
@@ -103,7 +103,7 @@ std::vector<irg::subpixel> renderer::snapped() {
   return places;
 }
 
-std::string skips_of(const irg::render_stats& s) {
+std::string skips_of(const irg::render_counts& s) {
   const auto share = [&s](std::int64_t n) { return 100 * static_cast<double>(n) / static_cast<double>(s.triangles); };
   char text[200];
   std::snprintf(text, sizeof text,

@@ -27,7 +27,7 @@ struct vertex_colours {
   const float* attributes(const irg::triangle_batch<float>& batch, std::uint32_t vertex, irg::facing) const {
     return &of.colours[of.objects[batch.object].first_vertex + vertex].r;
   }
-  static std::uint8_t byte(float v) { return static_cast<std::uint8_t>(irg::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
+  static std::uint8_t byte(float v) { return static_cast<std::uint8_t>(irg::clamped(v, 0.0f, 1.0f) * 255 + 0.5f); }
   irg::rgba8 pixel(const std::array<float, 3>& light) const {
     return {byte(light[0]), byte(light[1]), byte(light[2]), 255};
   }
@@ -66,14 +66,14 @@ public:
   explicit renderer(const scene& s);
 
   /// Clears to black, draws the scene with the colours of its vertices.
-  irg::render_stats draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth, const irg::skip_options& skip,
-                         int threads);
+  irg::render_counts draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth, const irg::skip_options& skip,
+                          int threads);
   /// The same with pixels in sRGB.
-  irg::render_stats draw_encoded(irg::image<irg::rgba8>& picture, irg::image<float>& depth);
+  irg::render_counts draw_encoded(irg::image<irg::rgba8>& picture, irg::image<float>& depth);
   /// Draws the number of the visible triangle, plus 1, into each pixel.
   void draw_ids(irg::image<std::uint32_t>& ids, irg::image<float>& depth);
   /// Draws the depth alone.
-  irg::render_stats draw_depth(irg::image<float>& depth, int threads);
+  irg::render_counts draw_depth(irg::image<float>& depth, int threads);
   /// Clears an occlusion mask and draws everything into it.
   void draw_mask(irg::occlusion_mask<>& mask, int threads);
   /// Where the vertices were snapped to; anything for those that have to be clipped.
@@ -93,8 +93,8 @@ private:
   void project(std::size_t object, int threads);
   left_out collect(const irg::skip_options& skip, int threads);
   template <class Picture, class MakeShader>
-  irg::render_stats draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
-                              const irg::skip_options& skip, int threads);
+  irg::render_counts draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
+                               const irg::skip_options& skip, int threads);
 
   const scene& scene_;
   irg::screen_mapping<float> mapping_;
@@ -107,6 +107,6 @@ private:
 };
 
 /// Which share of the triangles was skipped, and why.
-std::string skips_of(const irg::render_stats& s);
+std::string skips_of(const irg::render_counts& s);
 
 }  // namespace bench::own

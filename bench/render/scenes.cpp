@@ -31,7 +31,7 @@ static body dented_sphere(int slices, int stacks) {
     p = irg::to_point(irg::to_vec(p) * bump);
   }
   m.normals.clear();
-  for (irg::mesh_corner& c : m.corners) c.normal = irg::mesh_corner::none;
+  for (irg::mesh_corner& c : m.corners) c.normal = irg::no_index;
   return irg::make_drawable(std::move(m));
 }
 

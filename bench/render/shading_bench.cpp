@@ -92,11 +92,11 @@ struct subject {
     ready = irg::prepare_scene(world);
   }
 
-  irg::render_stats draw_phong() {
+  irg::render_counts draw_phong() {
     return irg::render(ready, {to.picture, to.depth},
                        {.style = irg::picture_style::phong, .colours = {.background = {}}});
   }
-  irg::render_stats draw_textured() {
+  irg::render_counts draw_textured() {
     irg::project_vertices<double>(body.positions, to_clip, mapping, projected);
     const irg::triangle_batch<double> batch[] = {{&projected, body.triangles}};
     const irg::textured_vertices vertices[] = {{body.textured}};
@@ -108,7 +108,7 @@ struct subject {
   }
 };
 
-using draw_function = irg::render_stats (subject::*)();
+using draw_function = irg::render_counts (subject::*)();
 
 #ifdef IRG_HAVE_OSMESA
 

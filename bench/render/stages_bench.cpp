@@ -68,7 +68,7 @@ constexpr const char* names[] = {"irg:vertices to the screen",
 using seconds_of_stages = std::array<double, stage_count>;
 
 struct measured {
-  irg::render_stats stats{};
+  irg::render_counts stats{};
   bool agree = true;
 };
 
@@ -118,7 +118,7 @@ public:
   errors found() const {
     errors e;
     if (!last_.agree) e.broken = "the pipeline hands out its work in other portions than this program expects";
-    const irg::render_stats& s = last_.stats;
+    const irg::render_counts& s = last_.stats;
     const auto count = [&](const char* name, std::int64_t n) { e.more.push_back({name, static_cast<double>(n)}); };
     count("triangles", s.triangles);
     count("skipped_frustum", s.skipped.frustum);

@@ -121,7 +121,7 @@ void enter_model(const std::string& name, const irg::mesh<float>& body) {
   for (const way& w : {way{irg::bvh_method::surface_area, embree_quality::medium, "by area"},
                        way{irg::bvh_method::morton, embree_quality::low, "by place"},
                        way{irg::bvh_method::spatial_splits, embree_quality::high, "in parts"}}) {
-    const irg::bvh_config config{w.method};
+    const irg::bvh_options config{w.method};
     const std::string& quality = w.name;
     const embree_quality chosen = w.of_embree;
     const contest building{"bvh build " + quality, name, "triangle", triangles, "", ""};

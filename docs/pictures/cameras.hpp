@@ -48,7 +48,7 @@ inline void axis(picture& p, char name, const point2& from, const point2& to, ir
   const auto along = irg::try_normalized(to - from);
   if (along) letter(p, name, to + *along * 12.0, 4.5, colour);
 }
-inline void axes(picture& p, const space& s, double length, const mat4& frame = irg::identity<double, 4>()) {
+inline void axes(picture& p, const space& s, double length, const mat4& frame = irg::identity_matrix<double, 4>()) {
   const irg::rgba8 colours[] = {red, green, blue};
   for (int i = 0; i < 3; ++i) {
     point3 tip{};
@@ -194,7 +194,7 @@ inline picture frames() {
   picture p(3 * panel, height, paper);
   const auto f = irg::look_at_frame(point3{2.3, 1.7, 1.6}, point3{0, 0.5, 0}, vec3{0, 1, 0});
   const space world = seen_from({-0.5, 0.45, 1}, {66, 172}, 58);
-  draw_house(p, world, irg::identity<double, 4>(), ink);
+  draw_house(p, world, irg::identity_matrix<double, 4>(), ink);
   axes(p, world, 1.25);
   camera(p, world, f, 0.7, grey);
   frame_arrows(p, world, f, 0.9);
@@ -232,7 +232,7 @@ inline picture views() {
   const space s = seen_from({0.25, 0.75, 1}, {160, 222}, 55);
   shape floor{{-1.1, 0, -1.1}, {1.1, 0, -1.1}, {1.1, 0, 1.1}, {-1.1, 0, 1.1}};
   area(p, s.at(floor), {236, 234, 228, 255});
-  draw_house(p, s, irg::identity<double, 4>(), ink);
+  draw_house(p, s, irg::identity_matrix<double, 4>(), ink);
   for (int i = 0; i < 3; ++i) {
     const auto& [eye, at, up, colour] = all[i];
     dashes(p, s.at(eye), s.at(at), 1.2, colour);

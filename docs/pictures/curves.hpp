@@ -112,7 +112,8 @@ inline picture fitted() {
   const auto draw = [&](const ring& points, irg::fit_spacing spacing, std::size_t count, irg::rgba8 colour) {
     std::vector<double> places(points.size()), knots(count + 4), scratch(4);
     ring control(count), line;
-    if (!irg::fit_places(std::span<const point2>(points), spacing, places)) return control;
+    if (irg::parametrize(std::span<const point2>(points), spacing, places) != irg::bspline_fit_status::ok)
+      return control;
     irg::fit_knots(std::span<const double>(places), 3, count, knots);
     const auto u = *irg::make_bspline_knots(std::span<const double>(knots), 3);
     static_cast<void>(

@@ -53,7 +53,7 @@ inline picture forms() {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const double t = 255 * (d - 1 / depth(x, y) - darkest) / (brightest - darkest);
-        const auto v = static_cast<std::uint8_t>(std::lround(irg::clamp(t, 0.0, 255.0)));
+        const auto v = static_cast<std::uint8_t>(std::lround(irg::clamped(t, 0.0, 255.0)));
         p(x, y) = {v, v, v, 255};
       }
     return p;
@@ -111,9 +111,9 @@ inline bool write_plot(const std::string& path) {
     std::fprintf(f, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.6\" stroke-dasharray=\"%s\" d=\"", colour,
                  dash);
     for (int i = 0; i <= 200; ++i) {
-      const double d = irg::lesser(z_near * std::pow(10.0, i / 40.0), z_far * (1 - 1e-6));
+      const double d = irg::minimum(z_near * std::pow(10.0, i / 40.0), z_far * (1 - 1e-6));
       const double share = irg::depth_resolution(format, z_near, z_far, d) / d;
-      std::fprintf(f, "%c%.1f %.1f", i == 0 ? 'M' : 'L', across(d), irg::lesser(up(share), top + inner_height));
+      std::fprintf(f, "%c%.1f %.1f", i == 0 ? 'M' : 'L', across(d), irg::minimum(up(share), top + inner_height));
     }
     std::fprintf(f, "\"/>\n");
     text(left + inner_width + 8, label_y, "start", colour, name);

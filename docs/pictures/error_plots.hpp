@@ -111,7 +111,7 @@ public:
 private:
   static constexpr double left = 70, top = 20, width = 400, height = 290;
   double across(double power) const { return left + width * power / last_; }
-  static double up(double power) { return top + height * (60 - irg::clamp(power, -2.0, 60.0)) / 62; }
+  static double up(double power) { return top + height * (60 - irg::clamped(power, -2.0, 60.0)) / 62; }
   void text(double x, double y, const char* anchor, const char* colour, const std::string& words) {
     std::fprintf(file_, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>\n", x, y, anchor, colour,
                  words.c_str());

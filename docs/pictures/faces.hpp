@@ -48,8 +48,8 @@ inline picture order() {
       irg::make_screen_face(corner(35.6, 13.2, 0.9f), corner(34.1, 24.1, 0.9f), corner(0.8, 26.4, 0.1f), 2)};
   const irg::rgba8 colours[] = {red, blue, amber};
   const picture overlapping = panel(ring, [&](int x, int y) {
-    const std::uint32_t seen = irg::picture_face_at(ring, x, y);
-    return seen == irg::no_face ? paper : colours[seen];
+    const std::optional<std::uint32_t> seen = irg::picture_face_at(ring, x, y);
+    return seen ? colours[*seen] : paper;
   });
   const std::array crossing{
       irg::make_screen_face(corner(1.4, 4.2, 0.8f), corner(34.7, 8.3, 0.3f), corner(9.2, 28.6, 0.7f), 0),

@@ -47,7 +47,7 @@ inline picture lines() {
     for (int x = 0; x < panel; ++x) {
       const point2 q = left.from(x, y);
       const bool second = static_cast<int>(std::floor(std::fabs(irg::line_value(l, q)) / length / 25)) % 2 == 1;
-      const int side = irg::side_of_line(l, q);
+      const int side = irg::sign_of(irg::side_of_line(l, q));
       p(x, y) = side > 0 ? (second ? irg::rgba8{184, 208, 234, 255} : light_blue)
                          : (second ? irg::rgba8{232, 194, 180, 255} : light_red);
     }
@@ -88,7 +88,7 @@ inline picture sides() {
   picture p(2 * size + gap, size, white);
   signs(p, 0, size, zoom, first, [&](const point2& q) { return (product(l.a, q.x) + product(l.b, q.y)) + l.c; });
   signs(p, size + gap, size, zoom, first,
-        [&](const point2& q) { return static_cast<double>(irg::side_of_line(l, q)); });
+        [&](const point2& q) { return static_cast<double>(irg::sign_of(irg::side_of_line(l, q))); });
   return p;
 }
 

@@ -49,12 +49,12 @@ inline std::vector<irg::screen_face> rods(double scale = 1) {
 
 template <class Method>
 ids found_by(const Method& method, const std::vector<irg::screen_face>& faces, int w = width, int h = height) {
-  ids found(w, h, irg::no_face);
+  ids found(w, h, irg::no_index);
   irg::draw_counts counts;
   method(faces, irg::cell_window{0, 0, w, h}, found, counts);
   return found;
 }
-inline irg::rgba8 colour_of(std::uint32_t id) { return id == irg::no_face ? paper : of_face[id]; }
+inline irg::rgba8 colour_of(std::uint32_t id) { return id == irg::no_index ? paper : of_face[id]; }
 inline void put(picture& p, const ids& found, int left) {
   for (int y = 0; y < found.height(); ++y)
     for (int x = 0; x < found.width(); ++x) p(left + x, y) = colour_of(found(x, y));
@@ -88,7 +88,7 @@ inline picture rays() {
 inline picture windows() {
   picture p(2 * width, height, paper);
   put(p, found_by(irg::warnock<>{}, rods()), 0);
-  ids found(width, height, irg::no_face);
+  ids found(width, height, irg::no_index);
   const auto frame = [&](const irg::cell_window& w, irg::warnock_case how) {
     if (how == irg::warnock_case::divided) return;
     for (int y = w.y_first; y < w.y_last; ++y)
@@ -161,7 +161,7 @@ inline picture one_scene_by_two() {
   constexpr irg::rgba8 of_body[] = {
       {120, 150, 212, 255}, {204, 96, 72, 255}, {96, 160, 120, 255}, {250, 214, 90, 255}, {236, 190, 96, 255}};
   const auto shaded = [&](std::uint32_t id) {
-    if (id == irg::no_face) return paper;
+    if (id == irg::no_index) return paper;
     const auto& [v] = s.triangles[id];
     const auto n = irg::cross(s.corners[v[1]] - s.corners[v[0]], s.corners[v[2]] - s.corners[v[0]]);
     const double up = (0.3 * n[0] + 0.8 * n[1] + 0.5 * n[2]) / std::sqrt(dot(n, n));

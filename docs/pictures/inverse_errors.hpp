@@ -30,11 +30,11 @@ struct numbers {
 };
 
 inline mat4 turned(numbers& n) {
-  mat4 a = irg::identity<double, 4>();
+  mat4 a = irg::identity_matrix<double, 4>();
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j) {
       const double angle = 6.28 * n.next(), c = irg::cos(angle), s = irg::sin(angle);
-      mat4 turn = irg::identity<double, 4>();
+      mat4 turn = irg::identity_matrix<double, 4>();
       turn(i, i) = turn(j, j) = c;
       turn(i, j) = -s;
       turn(j, i) = s;
@@ -79,7 +79,7 @@ inline bool write_plot(const std::string& path) {
   constexpr int low = -17, high = 1;
   const auto across = [&](double power) { return left + inner_width * power / highest_condition; };
   const auto up = [&](double error) {
-    const double power = irg::clamp(std::log10(error), static_cast<double>(low), static_cast<double>(high));
+    const double power = irg::clamped(std::log10(error), static_cast<double>(low), static_cast<double>(high));
     return top + inner_height * (high - power) / (high - low);
   };
   std::fprintf(f,

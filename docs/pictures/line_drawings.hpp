@@ -47,7 +47,7 @@ inline void draw_part(picture& p, const irg::screen_edge& e, const irg::edge_par
   if (hidden.a == 0) return;
   const double dash = 3, length = irg::length(b - a);
   for (double s = 0; s < length; s += 2 * dash)
-    irg::draw_line_aa(p, a + (b - a) * (s / length), a + (b - a) * (irg::lesser(s + dash, length) / length), hidden,
+    irg::draw_line_aa(p, a + (b - a) * (s / length), a + (b - a) * (irg::minimum(s + dash, length) / length), hidden,
                       {.width = 230});
 }
 
@@ -106,7 +106,7 @@ inline picture visible_polygons() {
     }
     const std::uint32_t n = map.rings[i].number, mixed = n * 2654435761u;
     const auto tint = [mixed](unsigned shift) { return static_cast<std::uint8_t>(176 + (mixed >> shift) % 72); };
-    const irg::rgba8 colour = n == irg::no_face ? paper : irg::rgba8{tint(8), tint(15), tint(22), 255};
+    const irg::rgba8 colour = n == irg::no_index ? paper : irg::rgba8{tint(8), tint(15), tint(22), 255};
     irg::fill_polygon_aa(p, rings, irg::fill_rule::non_zero, colour);
   }
   for (const irg::visible_ring& ring : map.rings)

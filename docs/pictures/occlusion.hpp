@@ -41,7 +41,7 @@ inline picture mask() {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const auto grey = [&](float depth) {
-        return depth == 0 ? 0.0f : irg::clamp((depth - 0.16f) * 4.2f, 0.15f, 1.0f);
+        return depth == 0 ? 0.0f : irg::clamped((depth - 0.16f) * 4.2f, 0.15f, 1.0f);
       };
       const float pixel = grey(mask.depth(x, y)), block = grey(mask.block_depth(x, y));
       const auto mixed = [&](int from, int pixels, int blocks) {
@@ -78,7 +78,7 @@ inline picture ids() {
   picture small(width, height, paper);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      if (ids(x, y) == irg::no_face) continue;
+      if (ids(x, y) == irg::no_index) continue;
       const std::uint32_t mixed = (ids(x, y) + 1) * 2654435761u;
       small(x, y) = {static_cast<std::uint8_t>(90 + (mixed >> 8) % 140),
                      static_cast<std::uint8_t>(90 + (mixed >> 15) % 140),

@@ -22,7 +22,7 @@ using irg::vec;
 inline irg::object<double> wall(double x_first, double x_last, double z) {
   irg::object<double> o;
   o.shape.positions = {{x_first, 0, z}, {x_last, 0, z}, {x_last, 2.4, z}, {x_first, 2.4, z}};
-  for (std::uint32_t i = 0; i < 4; ++i) o.shape.corners.push_back({i, irg::mesh_corner::none});
+  for (std::uint32_t i = 0; i < 4; ++i) o.shape.corners.push_back({i, irg::no_index});
   o.shape.face_starts = {0, 4};
   o.surface.ambient = o.surface.diffuse = {0.62, 0.58, 0.5};
   return o;

@@ -187,20 +187,21 @@ void methods() {
   s.view.eye = {0, -0.1, 4.6};
   picture all(2 * width, height), one(width, height);
   irg::image<float> z(width, height);
-  irg::image<std::uint32_t> kept(width, height, irg::no_face);
+  irg::image<std::uint32_t> kept(width, height, irg::no_index);
   std::vector<irg::screen_face> all_faces;
   const auto nearest = [&](const auto& faces, const irg::cell_window& w, irg::image<std::uint32_t>& ids,
                            irg::draw_counts&) {
     for (std::size_t i = 0; i < faces.size(); ++i) all_faces.push_back(faces[i]);
     for (int y = w.y_first; y < w.y_last; ++y)
       for (int x = w.x_first; x < w.x_last; ++x)
-        ids(x, y) = kept(x, y) = irg::picture_face_at(std::span(all_faces).last(faces.size()), x, y);
+        ids(x, y) = kept(x, y) =
+            irg::picture_face_at(std::span(all_faces).last(faces.size()), x, y).value_or(irg::no_index);
   };
   irg::render_with(nearest, s, {one, z}, {.style = irg::picture_style::flat, .culling = irg::face_culling::none});
   constexpr irg::rgba8 of_face[3] = {{200, 80, 60, 255}, {70, 150, 90, 255}, {60, 100, 180, 255}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      all(x, y) = kept(x, y) == irg::no_face ? irg::picture_colours{}.background : of_face[kept(x, y)];
+      all(x, y) = kept(x, y) == irg::no_index ? irg::picture_colours{}.background : of_face[kept(x, y)];
       all(width + x, y) = one(x, y);
     }
   save("hidden_surface_methods", all);

@@ -141,7 +141,7 @@ inline void search(const board& b) {
   b.line(r[low], r[high], 4, red);
   b.dots(r, 3.5, ink);
   b.dot(query, 6, paper);
-  b.dot(query, 4.5, irg::point_in_convex_polygon_log(r, query) == irg::location::inside ? red : grey);
+  b.dot(query, 4.5, irg::point_in_convex_polygon(r, query) == irg::location::inside ? red : grey);
 }
 
 // Beside it the answers over a lattice: inside, boundary, outside.

@@ -41,7 +41,7 @@ inline picture shadows() {
   const P outline[] = {{1.5, 1.5}, {6, 2}, {6, 6.5}, {3.8, 4}, {1.5, 7}};
   space_ring polygon;
   for (const P& q : outline) polygon.push_back({q.x, q.y, 5.1 - 0.42 * q.x + 0.12 * q.y});
-  const int axis = irg::flattening_axis(polygon);
+  const int axis = irg::dropped_axis(polygon).value_or(2);
   for (const space_ring& wall : walls) {
     b.fill(seen(wall), {243, 242, 238, 255});
     b.outline(seen(wall), 1, {206, 204, 198, 255});

@@ -122,7 +122,7 @@ inline picture shadows() {
     const mat4 to_clip = irg::perspective(irg::radians(36.0), 4.0 / 3, 1, 50) *
                          irg::look_at(point3{2, 4.5, 9}, point3{0.7, -0.3, 0}, vec3{0, 1, 0});
     polygon(p, view, to_clip, {{-2, -1, 2.5}, {3.6, -1, 2.5}, {3.6, -1, -3}, {-2, -1, -3}}, {242, 240, 234, 255}, pale);
-    const mat4 shadow = irg::shadow_matrix_checked(floor, lamps[i]).value;
+    const mat4 shadow = irg::shadow_matrix(floor, lamps[i]);
     for (const auto& face : cube_faces()) polygon(p, view, to_clip * shadow, face, shade, shade);
     cube(p, view, to_clip);
     if (lamps[i].w != 0) dot(p, cell_at(to_pixels(view, to_clip * lamps[i])), 5, red);

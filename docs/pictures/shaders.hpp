@@ -60,7 +60,7 @@ struct chequers {
   const float* attributes(const batch&, std::uint32_t vertex, irg::facing) const { return vertices[vertex].data(); }
   irg::rgba8 pixel(const std::array<float, 3>& at) const {
     const bool dark = (static_cast<int>(at[0] * 24) + static_cast<int>(at[1] * 8)) % 2 != 0;
-    const float light = irg::clamp(at[2], 0.05f, 1.0f);
+    const float light = irg::clamped(at[2], 0.05f, 1.0f);
     return dark ? irg::encode({0.05f * light, 0.1f * light, 0.25f * light})
                 : irg::encode({0.9f * light, 0.8f * light, 0.6f * light});
   }
@@ -157,7 +157,7 @@ inline picture textured_torus() {
   std::vector<irg::textured_vertex> vertices;
   for (const auto& [s, u] : t.parameters) {
     const irg::vec<double, 3> n = torus_normal(static_cast<double>(s), static_cast<double>(u));
-    const auto light = static_cast<float>(irg::greater(0.15 + 0.85 * (0.3 * n.x + 0.8 * n.y + 0.5 * n.z), 0.08));
+    const auto light = static_cast<float>(irg::maximum(0.15 + 0.85 * (0.3 * n.x + 0.8 * n.y + 0.5 * n.z), 0.08));
     vertices.push_back(irg::make_textured_vertex(s * 12, u * 4, {light, light, light}));
   }
   const picture texels = arrow();

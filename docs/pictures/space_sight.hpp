@@ -47,7 +47,7 @@ inline picture folded_out() {
     const auto map = irg::visible_polygons(faces, irg::cell_window{0, 0, size, size});
     const double left = 10 + size * column[i], top = 10 + size * row[i];
     for (const auto& r : map.rings) {
-      if (r.number == irg::no_face) continue;
+      if (r.number == irg::no_index) continue;
       ring outline;
       for (std::size_t k = 0; k < r.count; ++k) {
         const auto at = irg::corner_of(map, r, k);

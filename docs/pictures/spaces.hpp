@@ -131,7 +131,7 @@ inline picture grids() {
   constexpr int n = 8, panel = 213, height = 220;
   picture p(3 * panel + 1, height, paper);
   using mat4 = irg::mat<double, 4, 4>;
-  const mat4 maps[] = {irg::identity<double, 4>(),
+  const mat4 maps[] = {irg::identity_matrix<double, 4>(),
                        {{{0.6, 0.36, 0, 0}, {0.28, 0.72, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}},
                        {{{1.05, 0.1, 0, 0.1}, {0.05, 1.2, 0, 0.42}, {0, 0, 1, 0}, {0.12, 0.52, 0, 1.4}}}};
   std::vector<point3> from;

@@ -143,23 +143,23 @@ inline picture queries() {
     dot(p, cell(q), 4, colours[0]);
     dot(p, cell(place.point), 3, colours[0]);
   }
-  irg::bezier_line_intersections(points, a, b, scratch, [&](const irg::zero_stretch<double>& z) {
+  irg::bezier_line_intersections(points, a, b, scratch, [&](const irg::root_interval<double>& z) {
     dot(p, cell(irg::bezier_point(points, z.middle())), 4, colours[2]);
   });
   return p;
 }
 
-// Two cubics that meet in five ways; the points are placed by what joint_of says of them.
+// Two cubics that meet in five ways; the points are placed by what continuity_of says of them.
 inline picture joints() {
   picture p(760, 190, paper);
-  using enum irg::curve_joint;
+  using enum irg::curve_continuity;
   const std::array<P, 4> first{P{15, 160}, P{20, 60}, P{50, 60}, P{75, 90}};
   const std::array<P, 4> second[] = {{P{75, 105}, P{90, 160}, P{120, 150}, P{135, 40}},
                                      {P{75, 90}, P{80, 160}, P{120, 150}, P{135, 40}},
                                      {P{75, 90}, P{87.5, 105}, P{120, 150}, P{135, 40}},
                                      {P{75, 90}, P{100, 120}, P{120, 170}, P{135, 40}},
                                      {P{75, 90}, P{100, 120}, P{120, 180}, P{135, 40}}};
-  const irg::curve_joint expected[] = {apart, position, direction, first_derivative, second_derivative};
+  const irg::curve_continuity expected[] = {apart, position, direction, first_derivative, second_derivative};
   for (int k = 0; k < 5; ++k) {
     const P shift{150.0 * k, 0};
     const auto moved = [&](std::array<P, 4> c) {
@@ -167,7 +167,7 @@ inline picture joints() {
       return c;
     };
     const auto a = moved(first), b = moved(second[k]);
-    const bool is_right = irg::joint_of(a, b) == expected[k];
+    const bool is_right = irg::continuity_of(a, b) == expected[k];
     control_polygon(p, a);
     control_polygon(p, b);
     draw(p, colours[0], [&](double t) { return irg::bezier_point(a, t); });

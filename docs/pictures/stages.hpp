@@ -127,7 +127,7 @@ inline picture in_its_own_system() {
   picture p(width, height, paper);
   const observer place = aside({1, 0.8, 1.6}, {0, 0, 0}, 430, {160, 150});
   wire(p, object(), place, ink);
-  axes(p, irg::identity<double, 4>(), place, 1.8);
+  axes(p, irg::identity_matrix<double, 4>(), place, 1.8);
   return p;
 }
 
@@ -139,7 +139,7 @@ inline const point3& lamp() {
 inline picture in_the_world() {
   picture p(width, height, paper);
   const observer place = aside({4.2, 2.6, 1.6}, {0, 0.7, 0.9}, 250, {150, 125});
-  axes(p, irg::identity<double, 4>(), place, 1.5);
+  axes(p, irg::identity_matrix<double, 4>(), place, 1.5);
   wire(p, in_world(), place, ink);
   frustum(p, projection() * irg::view_matrix(camera()), place);
   dot(p, cell_of(place(camera().position)), 4, red);
@@ -154,7 +154,7 @@ inline picture in_the_camera() {
   const observer place = beside_camera();
   wire(p, in_camera(), place, ink);
   frustum(p, projection(), place);
-  axes(p, irg::identity<double, 4>(), place, 0.9);
+  axes(p, irg::identity_matrix<double, 4>(), place, 0.9);
   dot(p, cell_of(place({0, 0, 0})), 4, red);
   return p;
 }
@@ -237,7 +237,7 @@ void fill(picture& colour, irg::image<float>& depth) {
   for (auto it = left_over.rbegin(); it != left_over.rend(); ++it) {
     const std::uint32_t f = *it;
     const double intensity = shade(face(m, f), irg::face_normal(m, f).value_or(irg::vec<double, 3>{}));
-    const auto v = static_cast<std::uint8_t>(irg::clamp(intensity, 0.0, 255.0));
+    const auto v = static_cast<std::uint8_t>(irg::clamped(intensity, 0.0, 255.0));
     const irg::solid_shader<irg::rgba8> paint{{v, v, v, 255}};
     const auto left = clipped(m, f);
     for (int k = 1; k + 1 < left.count; ++k)
@@ -264,7 +264,7 @@ inline picture depths() {
   picture grey(depth.width(), depth.height());
   for (int y = 0; y < depth.height(); ++y)
     for (int x = 0; x < depth.width(); ++x) {
-      const auto v = static_cast<std::uint8_t>(irg::clamp(depth(x, y), 0.0f, 1.0f) * 255);
+      const auto v = static_cast<std::uint8_t>(irg::clamped(depth(x, y), 0.0f, 1.0f) * 255);
       grey(x, y) = {v, v, v, 255};
     }
   return enlarged(grey, pixel);
@@ -286,7 +286,7 @@ inline picture on_one_screen() {
   paste(all, p, 0, 0);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const auto grey = static_cast<std::uint8_t>(255 * irg::lesser(depth(x, y), 1.0f));
+      const auto grey = static_cast<std::uint8_t>(255 * irg::minimum(depth(x, y), 1.0f));
       p(x, y) = {grey, grey, grey, 255};
     }
   paste(all, p, width + 12, 0);

@@ -35,9 +35,11 @@ inline void frames(picture& p, const irg::bvh& tree, std::uint32_t at, int level
   const std::array colours{red, irg::rgba8{214, 140, 40, 255}, green, grey};
   for (int k = 0; k < irg::bvh_node::width; ++k) {
     const irg::bvh_node& n = tree.nodes[at];
-    if (n.child[k] == irg::bvh_node::none) continue;
-    const double x0 = double{n.low(0, k)} / tree.scale + left, y0 = double{n.low(1, k)} / tree.scale,
-                 x1 = double{n.high(0, k)} / tree.scale + left, y1 = double{n.high(1, k)} / tree.scale;
+    if (n.child[k] == irg::no_index) continue;
+    const double x0 = static_cast<double>(n.low(0, k)) / tree.scale + left,
+                 y0 = static_cast<double>(n.low(1, k)) / tree.scale,
+                 x1 = static_cast<double>(n.high(0, k)) / tree.scale + left,
+                 y1 = static_cast<double>(n.high(1, k)) / tree.scale;
     const double out = 5.0 - 2 * level;
     outline(p, {{x0 - out, y0 - out}, {x1 + out, y0 - out}, {x1 + out, y1 + out}, {x0 - out, y1 + out}},
             level == 0 ? 2 : 1.2, colours[static_cast<std::size_t>(level)]);
@@ -78,15 +80,16 @@ inline picture parts() {
     const double left = side * 315.0;
     for (const corners& t : slats)
       area(p, {{t[0].x + left, t[0].y}, {t[1].x + left, t[1].y}, {t[2].x + left, t[2].y}}, blue);
-    irg::bvh_config config{side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::spatial_splits};
+    irg::bvh_options config{side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::spatial_splits};
     config.spare = 4;
     const irg::triangle_bvh<double> tree(std::span<const corners>{slats}, config);
     for (const irg::bvh_node& n : tree.tree().nodes)
       for (int k = 0; k < irg::bvh_node::width; ++k) {
-        if (n.child[k] == irg::bvh_node::none || !irg::bvh_node::is_leaf(n.child[k])) continue;
-        const double scale = 1 / tree.tree().scale, x0 = double{n.low(0, k)} * scale + left,
-                     y0 = double{n.low(1, k)} * scale, x1 = double{n.high(0, k)} * scale + left,
-                     y1 = double{n.high(1, k)} * scale;
+        if (n.child[k] == irg::no_index || !irg::bvh_node::is_leaf(n.child[k])) continue;
+        const double scale = 1 / tree.tree().scale, x0 = static_cast<double>(n.low(0, k)) * scale + left,
+                     y0 = static_cast<double>(n.low(1, k)) * scale,
+                     x1 = static_cast<double>(n.high(0, k)) * scale + left,
+                     y1 = static_cast<double>(n.high(1, k)) * scale;
         outline(p, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, 1.5, red);
       }
   }
@@ -124,7 +127,7 @@ inline picture through() {
         const irg::vec<double, 3> n = irg::normalized(irg::cross(t[1] - t[0], t[2] - t[0]));
         const double light = irg::dot(n, irg::normalized(irg::vec<double, 3>{-0.5, 0.7, 0.6}));
         const auto shade = [&](double most) {
-          return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamp(light, 0.0, 1.0)));
+          return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamped(light, 0.0, 1.0)));
         };
         p(x, y) = {shade(232), shade(168), shade(96), 255};
       }

@@ -80,8 +80,8 @@ inline picture step(const irg::mat<double, 4, 4>& m, const point3& eye, const po
   point2 low = flat(origin), high = low;
   const auto include = [&](const point3& q) {
     for (int i = 0; i < 2; ++i) {
-      low[i] = irg::lesser(low[i], flat(q)[i]);
-      high[i] = irg::greater(high[i], flat(q)[i]);
+      low[i] = irg::minimum(low[i], flat(q)[i]);
+      high[i] = irg::maximum(high[i], flat(q)[i]);
     }
   };
   for (const point3& q : {o, g, tip[0], tip[1], tip[2]}) include(q);
@@ -126,7 +126,7 @@ picture seen(const irg::mat<double, 4, 4>& t, std::string_view name, const Proje
 inline picture steps() {
   const point3 eye{1.6, 2.3, 1.5}, target{0, 0, 0.3};
   const auto s = irg::textbook::view_transform_steps(eye, target);
-  const irg::mat<double, 4, 4> parts[] = {irg::identity<double, 4>(), s.t1, s.t2, s.t3, s.t4, s.t5};
+  const irg::mat<double, 4, 4> parts[] = {irg::identity_matrix<double, 4>(), s.t1, s.t2, s.t3, s.t4, s.t5};
   const std::string_view names[] = {"", "T1", "T1T2", "T1T2T3", "T1T2T3T4", "T"};
   constexpr int gap = 10;
   picture big(4 * side + 3 * gap, 2 * side + gap, {255, 255, 255, 255});

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <irg/scene/camera.hpp>
@@ -114,12 +115,12 @@ struct studio {
 
 inline namespace IRG_ABI {
 
-/// The number of the body of that name; the number of bodies when there is none.
+/// The number of the body of that name, where there is one.
 template <Floating T>
-[[nodiscard]] constexpr std::size_t find_body(const studio<T>& s, const part_name& name) noexcept {
-  std::size_t i = 0;
-  while (i < s.bodies.size() && !(s.bodies[i].body.name == name)) ++i;
-  return i;
+[[nodiscard]] constexpr std::optional<std::size_t> find_body(const studio<T>& s, const part_name& name) noexcept {
+  for (std::size_t i = 0; i < s.bodies.size(); ++i)
+    if (s.bodies[i].body.name == name) return i;
+  return std::nullopt;
 }
 
 /// The camera that takes a picture of the screen of a studio camera. Parallel projections show as much as the pyramid

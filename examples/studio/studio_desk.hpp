@@ -330,7 +330,7 @@ private:
     const auto& bodies = session_.state().bodies;
     if (c.action == irg::studio_action::load && !bodies.empty()) choice_.body = bodies.size() - 1;
     const auto choose = [&](const irg::part_name& name, irg::studio_stage stage, std::size_t which) {
-      if (const std::size_t i = irg::find_body(session_.state(), name); i < bodies.size()) choice_.body = i;
+      if (const auto i = irg::find_body(session_.state(), name)) choice_.body = *i;
       choice_.stage = stage;
       choice_.transformation = which;
     };

@@ -222,7 +222,7 @@ constexpr studio_status status_of_body(const stored_body<T>& b) noexcept {
       return studio_status::edge_without_point;
   if (b.surface_of_face.size() != b.shape.face_count()) return studio_status::broken_surface;
   for (const std::uint32_t f : b.surface_of_face)
-    if (f != stored_body<T>::no_surface && f >= b.surfaces.size()) return studio_status::broken_surface;
+    if (f != no_index && f >= b.surfaces.size()) return studio_status::broken_surface;
   for (const stored_surface<T>& f : b.surfaces) {
     const material<T>& m = f.reflection;
     for (const rgb<T>& c : {m.ambient, m.diffuse, m.specular})
@@ -246,8 +246,8 @@ constexpr studio_status status_of_lamp(const light<T>& lamp) noexcept {
 template <class T, class Change>
 constexpr studio_status change_bodies(studio<T>& s, const part_name& name, const Change& change) {
   if (!name.empty()) {
-    const std::size_t i = find_body(s, name);
-    return i == s.bodies.size() ? studio_status::no_such_body : change(s.bodies[i]);
+    const std::optional<std::size_t> i = find_body(s, name);
+    return i ? change(s.bodies[*i]) : studio_status::no_such_body;
   }
   for (studio_body<T>& b : s.bodies) static_cast<void>(change(b));
   return studio_status::done;
@@ -292,7 +292,7 @@ constexpr studio_status apply_event(studio<T>& s, load_body<T> e) {
   m.normals.clear();
   m.texcoords.clear();
   m.parts.clear();
-  for (mesh_corner& c : m.corners) c = {c.position, mesh_corner::none, mesh_corner::none};
+  for (mesh_corner& c : m.corners) c = {c.position, no_index, no_index};
   e.body.name = detail::free_name(s, e.body.name);
   studio_body<T> b;
   b.body = std::move(e.body);
@@ -301,9 +301,9 @@ constexpr studio_status apply_event(studio<T>& s, load_body<T> e) {
 }
 template <Floating T>
 constexpr studio_status apply_event(studio<T>& s, const drop_body& e) {
-  const std::size_t i = find_body(s, e.name);
-  if (i == s.bodies.size()) return studio_status::no_such_body;
-  s.bodies.erase(s.bodies.begin() + static_cast<std::ptrdiff_t>(i));
+  const std::optional<std::size_t> i = find_body(s, e.name);
+  if (!i) return studio_status::no_such_body;
+  s.bodies.erase(s.bodies.begin() + static_cast<std::ptrdiff_t>(*i));
   return studio_status::done;
 }
 template <Floating T>
@@ -337,7 +337,7 @@ constexpr studio_status apply_event(studio<T>& s, const colour_body& e) {
     if (b.body.surfaces.empty()) b.body.surfaces.push_back({});
     for (stored_surface<T>& f : b.body.surfaces) f.colour = e.colour;
     for (std::uint32_t& f : b.body.surface_of_face)
-      if (f == stored_body<T>::no_surface) f = 0;
+      if (f == no_index) f = 0;
     return studio_status::done;
   });
 }

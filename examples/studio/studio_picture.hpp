@@ -124,10 +124,10 @@ struct faces_by_surface {
 
   constexpr faces_by_surface(std::span<const std::uint32_t> surface_of_face, std::uint32_t surfaces)
       : first(surfaces + std::size_t{2}, 0u), face(surface_of_face.size(), 0u) {
-    for (const std::uint32_t s : surface_of_face) ++first[lesser(s, surfaces) + std::size_t{1}];
+    for (const std::uint32_t s : surface_of_face) ++first[minimum(s, surfaces) + std::size_t{1}];
     for (std::size_t s = 0; s <= surfaces; ++s) first[s + 1] += first[s];
     std::vector<std::uint32_t> next = first;
-    for (std::uint32_t f = 0; f < face.size(); ++f) face[next[lesser(surface_of_face[f], surfaces)]++] = f;
+    for (std::uint32_t f = 0; f < face.size(); ++f) face[next[minimum(surface_of_face[f], surfaces)]++] = f;
   }
   constexpr std::span<const std::uint32_t> of(std::uint32_t surface) const noexcept {
     return {face.data() + first[surface], first[surface + 1] - first[surface]};
@@ -143,17 +143,17 @@ constexpr mesh<T> part_of_mesh(const mesh<T>& m, std::span<const std::uint32_t> 
   for (const std::uint32_t f : faces) {
     for (std::size_t k = 0; k < m.face_size(f); ++k) {
       const std::uint32_t p = m.corner(f, k).position;
-      if (number[p] == mesh_corner::none) {
+      if (number[p] == no_index) {
         number[p] = static_cast<std::uint32_t>(out.positions.size());
         out.positions.push_back(m.positions[p]);
         out.normals.push_back(m.normals[p]);
       }
-      out.corners.push_back({number[p], number[p], mesh_corner::none});
+      out.corners.push_back({number[p], number[p], no_index});
     }
     out.face_starts.push_back(static_cast<std::uint32_t>(out.corners.size()));
   }
   for (const std::uint32_t f : faces)
-    for (std::size_t k = 0; k < m.face_size(f); ++k) number[m.corner(f, k).position] = mesh_corner::none;
+    for (std::size_t k = 0; k < m.face_size(f); ++k) number[m.corner(f, k).position] = no_index;
   return out;
 }
 
@@ -167,7 +167,7 @@ constexpr void place_body(placed_body<T>& p, const stored_body<T>& b, const mat<
     mesh<T> smooth = made.shape;
     assign_vertex_normals(smooth, normal_weight::average);
     const faces_by_surface faces(b.surface_of_face, surfaces);
-    std::vector<std::uint32_t> number(smooth.positions.size(), mesh_corner::none);
+    std::vector<std::uint32_t> number(smooth.positions.size(), no_index);
     for (std::uint32_t s = 0; s <= surfaces; ++s) {
       if (faces.of(s).empty()) continue;
       made.parts.push_back(prepare_object(object<T>{part_of_mesh(smooth, faces.of(s), number)}));
@@ -204,8 +204,8 @@ struct studio_canvas {
   // An edge lies in its faces, whose depths at the pixel's centre may be a little nearer or farther than the line's. So
   // it counts as seen unless all pixels around are nearer.
   constexpr bool sees_rounded(cell c, float own) const noexcept {
-    for (int y = greater(c.y - 1, 0); y <= lesser(c.y + 1, depth.height() - 1); ++y)
-      for (int x = greater(c.x - 1, 0); x <= lesser(c.x + 1, depth.width() - 1); ++x)
+    for (int y = maximum(c.y - 1, 0); y <= minimum(c.y + 1, depth.height() - 1); ++y)
+      for (int x = maximum(c.x - 1, 0); x <= minimum(c.x + 1, depth.width() - 1); ++x)
         if (depth(x, y) <= own) return true;
     return false;
   }
@@ -246,8 +246,8 @@ struct studio_canvas {
     const auto v = place_of(p);
     if (!v || !sees_rounded(cell_at(*v), v->depth)) return;
     const cell c = cell_at(*v);
-    for (int y = greater(c.y - 1, 0); y <= lesser(c.y + 1, colour.height() - 1); ++y)
-      for (int x = greater(c.x - 1, 0); x <= lesser(c.x + 1, colour.width() - 1); ++x) colour(x, y) = paint;
+    for (int y = maximum(c.y - 1, 0); y <= minimum(c.y + 1, colour.height() - 1); ++y)
+      for (int x = maximum(c.x - 1, 0); x <= minimum(c.x + 1, colour.width() - 1); ++x) colour(x, y) = paint;
   }
 
   constexpr void label(std::string_view text, const point<T, 3>& p, const rgba8& paint) {
@@ -426,7 +426,7 @@ struct studio_drawing {
         if (choose && !std::binary_search(front.begin(), front.end(), key) &&
             std::binary_search(all.begin(), all.end(), key))
           continue;
-        canvas.line_rounded(shape.positions[lesser(e.from, e.to)], shape.positions[greater(e.from, e.to)],
+        canvas.line_rounded(shape.positions[minimum(e.from, e.to)], shape.positions[maximum(e.from, e.to)],
                             colours.edge);
       }
     }
@@ -477,8 +477,8 @@ template <class T>
 constexpr image_view<rgba8> screen_within(image_view<rgba8> all, const view_pyramid<T>& p) noexcept {
   const T wide = static_cast<T>(all.width()), high = static_cast<T>(all.height()), ratio = p.width / p.height;
   const bool limited = wide < high * ratio;  // by the width
-  const int width = limited ? all.width() : static_cast<int>(clamp(high * ratio + T(0.5), T(1), wide));
-  const int height = limited ? static_cast<int>(clamp(wide / ratio + T(0.5), T(1), high)) : all.height();
+  const int width = limited ? all.width() : static_cast<int>(clamped(high * ratio + T(0.5), T(1), wide));
+  const int height = limited ? static_cast<int>(clamped(wide / ratio + T(0.5), T(1), high)) : all.height();
   return {all.row((all.height() - height) / 2) + (all.width() - width) / 2, width, height, all.stride()};
 }
 

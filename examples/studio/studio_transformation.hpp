@@ -79,7 +79,7 @@ inline namespace IRG_ABI {
 template <class T>
 constexpr checked<mat<T, 4, 4>, plane_projection_status> mirror_checked(const plane<T>& p) noexcept {
   auto foot = parallel_projection_onto_checked(p, vec<T, 3>{p.a, p.b, p.c});
-  const auto unit = identity<T, 4>();
+  const auto unit = identity_matrix<T, 4>();
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c) foot.value(r, c) = T(2) * foot.value(r, c) - unit(r, c);
   return foot;
@@ -127,7 +127,7 @@ template <Floating T>
 
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> matrix_of(std::span<const studio_transformation<T>> list) noexcept {
-  auto m = identity<T, 4>();
+  auto m = identity_matrix<T, 4>();
   for (const auto& t : list)
     if (const auto next = matrix_of(t)) m = *next * m;
   return m;

@@ -155,7 +155,7 @@ private:
   }
   std::string turn(double right, double up) {
     azimuth_ = std::remainder(azimuth_ + right, 360.0);
-    elevation_ = irg::clamp(elevation_ + up, -89.0, 89.0);
+    elevation_ = irg::clamped(elevation_ + up, -89.0, 89.0);
     return "";
   }
   std::string walk(double forward, double right) {

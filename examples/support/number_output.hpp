@@ -14,7 +14,8 @@ inline std::string shortest(double v) {
   char text[irg::longest_decimal<double>];
   char* const last = text + sizeof text;
   const bool whole = v > -0x1p53 && v < 0x1p53 && v == static_cast<double>(static_cast<long long>(v));
-  return {text, whole ? irg::print_integer(text, last, static_cast<long long>(v)) : irg::print_decimal(text, last, v)};
+  return {text,
+          whole ? *irg::print_integer(text, last, static_cast<long long>(v)) : *irg::print_decimal(text, last, v)};
 }
 
 }  // namespace program

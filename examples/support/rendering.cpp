@@ -34,7 +34,7 @@ std::uint64_t hash_of(const irg::image<irg::rgba8>& picture) {
 }
 
 /// What --stats writes.
-std::string stats_json(const irg::render_stats& s, const timings& ms, std::uint64_t hash) {
+std::string stats_json(const irg::render_counts& s, const timings& ms, std::uint64_t hash) {
   char text[1200];
   const auto n = [](std::int64_t v) { return static_cast<long long>(v); };
   const int length = std::snprintf(
@@ -53,8 +53,8 @@ std::string stats_json(const irg::render_stats& s, const timings& ms, std::uint6
 
 /// The picture by the method that the options name. Edges are not faces: `wire` knows none of the classical methods.
 template <class Observer>
-irg::render_stats draw(const render_settings& s, const irg::scene<double>& world, irg::image<irg::rgba8>& picture,
-                       irg::image<float>& depth, const Observer& observer) {
+irg::render_counts draw(const render_settings& s, const irg::scene<double>& world, irg::image<irg::rgba8>& picture,
+                        irg::image<float>& depth, const Observer& observer) {
   irg::render_options options = s.options;
   options.hidden =
       s.hidden == hidden_name::none ? irg::hidden_surface_method::none : irg::hidden_surface_method::zbuffer;
@@ -69,7 +69,7 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
     traced.samples = s.samples;
     traced.limits.shadows = s.shadows ? irg::shadow_rays::on : irg::shadow_rays::off;
     traced.optics = optics;
-    irg::render_stats stats = irg::render_traced(world, picture, traced, threads);
+    irg::render_counts stats = irg::render_traced(world, picture, traced, threads);
     stats.drawn = 0;
     const irg::rgba8 background = irg::picture_colours().background;
     for (int y = 0; y < s.size.height; ++y)
@@ -78,7 +78,7 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
     return stats;
   }
   if (s.hidden == hidden_name::raytrace) {
-    const irg::render_stats stats = irg::render_with(irg::ray_tracing<>{}, world, {picture, depth}, options, threads);
+    const irg::render_counts stats = irg::render_with(irg::ray_tracing<>{}, world, {picture, depth}, options, threads);
     observer(irg::render_stage::draw);
     return stats;
   }
@@ -87,7 +87,7 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
                       : s.hidden == hidden_name::warnock ? classical_method::warnock
                       : s.hidden == hidden_name::bsp     ? classical_method::bsp
                                                          : classical_method::ray_casting;
-  const irg::render_stats stats =
+  const irg::render_counts stats =
       irg::render_with(irg::hidden_surfaces_by{method}, world, {picture, depth}, options, threads);
   observer(irg::render_stage::draw);
   return stats;
@@ -180,8 +180,8 @@ void add_body(irg::line_drawing& drawing, const render_settings& s, irg::face_cu
 }
 
 /// Draws the visible parts of edges, into the picture and as lines; under them the hidden parts, if asked for.
-irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<double>& world,
-                                    irg::image<irg::rgba8>& picture, text_sink& text, stopwatch& watch, timings& ms) {
+irg::render_counts draw_hidden_lines(const render_settings& s, const irg::scene<double>& world,
+                                     irg::image<irg::rgba8>& picture, text_sink& text, stopwatch& watch, timings& ms) {
   const irg::picture_colours colours;
   clear(picture, colours.background);
   const auto to_clip = view_projection(world.view, static_cast<double>(s.size.width) / s.size.height);
@@ -192,7 +192,7 @@ irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<d
   ms.stage[static_cast<int>(irg::render_stage::project)] = watch.lap();
   if (s.hidden == hidden_name::none) drawing.faces.clear();
   if (s.options.skip.frustum == irg::skipping::on) leave_out_faces_beside_edges(drawing);
-  irg::render_stats stats;
+  irg::render_counts stats;
   stats.triangles = drawing.triangles;
   stats.skipped.frustum = drawing.beyond;
   stats.skipped.backface = drawing.culled;
@@ -225,7 +225,7 @@ void draw_scene(const command_line& line, const render_settings& s, const irg::s
   irg::image<irg::rgba8> picture(s.size.width, s.size.height);
   text_sink svg;
   watch.lap();
-  const irg::render_stats stats = [&] {
+  const irg::render_counts stats = [&] {
     if (s.hidden_line) return draw_hidden_lines(s, world, picture, svg, watch, ms);
     irg::image<float> depth(s.size.width, s.size.height);
     watch.lap();

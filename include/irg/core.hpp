@@ -10,6 +10,8 @@
 #include <irg/core/ring.hpp>
 #include <irg/core/result.hpp>
 #include <irg/core/contract.hpp>
+#include <irg/core/scalar.hpp>
+#include <irg/core/sinks.hpp>
 #include <irg/core/executor.hpp>
 #include <irg/core/function_ref.hpp>
 #include <irg/core/lanes.hpp>
@@ -25,6 +27,4 @@
 #include <irg/core/lane_shuffles.hpp>
 #include <irg/core/memory_access.hpp>
 #include <irg/core/pack.hpp>
-#include <irg/core/scalar.hpp>
-#include <irg/core/sinks.hpp>
 #include <irg/core/wide_lanes.hpp>

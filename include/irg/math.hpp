@@ -42,7 +42,6 @@
 #include <irg/math/constants.hpp>
 #include <irg/math/decimal_digit.hpp>
 #include <irg/math/exact/big_float.hpp>
-#include <irg/math/exact/compare_numbers.hpp>
 #include <irg/math/exact/filtered_number.hpp>
 #include <irg/math/exact/in_numbers.hpp>
 #include <irg/math/exact/nearest_float.hpp>

@@ -2,6 +2,7 @@
 #include <irg/colour/pixel.hpp>
 
 #include <bit>
+#include <sstream>
 #include <type_traits>
 
 #include "support/check_both.hpp"
@@ -20,6 +21,13 @@ TEST_CASE("pixels: channels lie in memory in the order of the name; opaque unles
   CHECK_BOTH(std::bit_cast<bytes>(irg::rgba8{1, 2, 3}).at[3] == 255);
   CHECK_BOTH(std::bit_cast<bytes>(irg::bgra8{.b = 1, .g = 2, .r = 3}).at[2] == 3);
   CHECK_BOTH(irg::bgr8{.b = 1, .g = 2, .r = 3}.r == 3);
+}
+
+TEST_CASE("pixels: written by red, green, blue and opacity, as numbers") {
+  std::ostringstream out;
+  out << irg::rgba8{1, 2, 3} << irg::bgra8{.b = 3, .g = 2, .r = 65, .a = 4} << irg::bgr8{.b = 3, .g = 2, .r = 1}
+      << irg::rgb8{7, 8, 9} << irg::rgb<float>{0.5f, 1, 2};
+  CHECK(out.str() == "(1, 2, 3, 255)(65, 2, 3, 4)(1, 2, 3)(7, 8, 9)(0.5, 1, 2)");
 }
 
 TEST_CASE("rgb: light adds up, channel by channel, also past 1") {

@@ -45,8 +45,8 @@ struct comparisons {
       REQUIRE(test::lanes_are(irg::select(a < b, a, b), [&](int i) { return a[i] < b[i] ? a[i] : b[i]; }));
       REQUIRE(test::lanes_are(irg::select(irg::both(a < b, a >= b[0]), a, b),
                               [&](int i) { return a[i] < b[i] && a[i] >= b[0] ? a[i] : b[i]; }));
-      REQUIRE(test::lanes_are(irg::low_of(a, b), [&](int i) { return a[i] < b[i] ? a[i] : b[i]; }));
-      REQUIRE(test::lanes_are(irg::high_of(a, b), [&](int i) { return b[i] < a[i] ? a[i] : b[i]; }));
+      REQUIRE(test::lanes_are(irg::minimum(a, b), [&](int i) { return a[i] < b[i] ? a[i] : b[i]; }));
+      REQUIRE(test::lanes_are(irg::maximum(a, b), [&](int i) { return b[i] < a[i] ? a[i] : b[i]; }));
       if constexpr (std::floating_point<T>) {
         unsigned signs = 0;
         for (int i = 0; i < N; ++i) signs |= std::signbit(a[i]) ? 1u << i : 0u;
@@ -71,26 +71,26 @@ struct reductions {
         greatest = greatest < a[i] ? a[i] : greatest;
       }
       if (!is_number) continue;
-      REQUIRE(irg::least_of(a) == least);
-      REQUIRE(irg::greatest_of(a) == greatest);
+      REQUIRE(irg::reduce_min(a) == least);
+      REQUIRE(irg::reduce_max(a) == greatest);
       const auto small = irg::lanes<irg::pack<T, N>>::generate([&](int) { return static_cast<T>(r.integer(0, 7)); });
       T sum = 0;
       for (int i = 0; i < N; ++i) sum = static_cast<T>(sum + small[i]);
-      REQUIRE(irg::total(small) == sum);
+      REQUIRE(irg::reduce_add(small) == sum);
     }
   }
 };
 
 TEST_CASE("masks: what comparisons of scalars say, in every lane") { test::for_all_lanes(comparisons{}); }
 
-TEST_CASE("least_of, greatest_of, total: of all lanes") { test::for_all_lanes(reductions{}); }
+TEST_CASE("reduce_min, reduce_max, reduce_add: of all lanes") { test::for_all_lanes(reductions{}); }
 
-TEST_CASE("total: the order of the sum is the one that is said") {
+TEST_CASE("reduce_add: the order of the sum is the one that is said") {
   test::random r(1);
   for (int round = 0; round < 1000; ++round) {
     const auto p =
         irg::lanes<irg::pack<float, 4>>::generate([&](int) { return static_cast<float>(r.unit() - 0.5) * 0x1p20f; });
-    CHECK(irg::total(p) == (p[0] + p[2]) + (p[1] + p[3]));
+    CHECK(irg::reduce_add(p) == (p[0] + p[2]) + (p[1] + p[3]));
   }
 }
 
@@ -128,8 +128,8 @@ TEST_CASE("masks: the scalar forms") {
   CHECK_BOTH(irg::mask_bits(true) == 1u);
   CHECK_BOTH((irg::any_lane(true) && irg::all_lanes(true) && irg::no_lane(false)));
   CHECK_BOTH((!irg::any_lane(false) && !irg::all_lanes(false) && !irg::no_lane(true)));
-  CHECK_BOTH((irg::low_of(1.0, 2.0) == 1.0 && irg::high_of(1.0f, 2.0f) == 2.0f));
-  CHECK_BOTH((irg::least_of(3) == 3 && irg::greatest_of(3.5) == 3.5 && irg::total(2) == 2));
+  CHECK_BOTH((irg::minimum(1.0, 2.0) == 1.0 && irg::maximum(1.0f, 2.0f) == 2.0f));
+  CHECK_BOTH((irg::reduce_min(3) == 3 && irg::reduce_max(3.5) == 3.5 && irg::reduce_add(2) == 2));
 }
 
 }  // namespace

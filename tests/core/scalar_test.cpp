@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <irg/core/scalar.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <complex>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -84,25 +86,31 @@ constexpr bool negative(double x) { return std::bit_cast<std::int64_t>(x) < 0; }
 
 }  // namespace
 
-TEST_CASE("scalar: lesser and greater") {
-  CHECK_BOTH((irg::lesser(2, 3) == 2 && irg::lesser(3, 2) == 2));
-  CHECK_BOTH((irg::greater(2, 3) == 3 && irg::greater(3, 2) == 3));
-  CHECK_BOTH(irg::lesser(archetype::scalar(2), archetype::scalar(3)) == archetype::scalar(2));
-  CHECK_BOTH(irg::greater(archetype::scalar(2), archetype::scalar(3)) == archetype::scalar(3));
+TEST_CASE("scalar: minimum and maximum") {
+  CHECK_BOTH((irg::minimum(2, 3) == 2 && irg::minimum(3, 2) == 2));
+  CHECK_BOTH((irg::maximum(2, 3) == 3 && irg::maximum(3, 2) == 3));
+  CHECK_BOTH(irg::minimum(archetype::scalar(2), archetype::scalar(3)) == archetype::scalar(2));
+  CHECK_BOTH(irg::maximum(archetype::scalar(2), archetype::scalar(3)) == archetype::scalar(3));
 }
 
 TEST_CASE("scalar: the second number wins when they cannot be ordered or are equal") {
-  CHECK_BOTH((irg::lesser(not_a_number, 1.0) == 1.0 && irg::greater(not_a_number, 1.0) == 1.0));
-  CHECK_BOTH(irg::lesser(1.0, not_a_number) != irg::lesser(1.0, not_a_number));
-  CHECK_BOTH(irg::greater(1.0, not_a_number) != irg::greater(1.0, not_a_number));
-  CHECK_BOTH((negative(irg::lesser(0.0, -0.0)) && !negative(irg::lesser(-0.0, 0.0))));
-  CHECK_BOTH((negative(irg::greater(0.0, -0.0)) && !negative(irg::greater(-0.0, 0.0))));
+  CHECK_BOTH((irg::minimum(not_a_number, 1.0) == 1.0 && irg::maximum(not_a_number, 1.0) == 1.0));
+  CHECK_BOTH(irg::minimum(1.0, not_a_number) != irg::minimum(1.0, not_a_number));
+  CHECK_BOTH(irg::maximum(1.0, not_a_number) != irg::maximum(1.0, not_a_number));
+  CHECK_BOTH((negative(irg::minimum(0.0, -0.0)) && !negative(irg::minimum(-0.0, 0.0))));
+  CHECK_BOTH((negative(irg::maximum(0.0, -0.0)) && !negative(irg::maximum(-0.0, 0.0))));
 }
 
-TEST_CASE("scalar: clamp keeps within the range, whatever comes") {
-  CHECK_BOTH((irg::clamp(5, 0, 3) == 3 && irg::clamp(-5, 0, 3) == 0 && irg::clamp(2, 0, 3) == 2));
-  CHECK_BOTH((irg::clamp(0, 0, 3) == 0 && irg::clamp(3, 0, 3) == 3 && irg::clamp(7, 4, 4) == 4));
-  CHECK_BOTH(irg::clamp(not_a_number, -1.0, 1.0) == -1.0);
-  CHECK_BOTH((irg::clamp(infinity, -1.0, 1.0) == 1.0 && irg::clamp(-infinity, -1.0, 1.0) == -1.0));
-  CHECK_BOTH(irg::clamp(archetype::scalar(9), archetype::scalar(1), archetype::scalar(4)) == archetype::scalar(4));
+TEST_CASE("scalar: clamped keeps within the range, whatever comes") {
+  CHECK_BOTH((irg::clamped(5, 0, 3) == 3 && irg::clamped(-5, 0, 3) == 0 && irg::clamped(2, 0, 3) == 2));
+  CHECK_BOTH((irg::clamped(0, 0, 3) == 0 && irg::clamped(3, 0, 3) == 3 && irg::clamped(7, 4, 4) == 4));
+  CHECK_BOTH(irg::clamped(not_a_number, -1.0, 1.0) == -1.0);
+  CHECK_BOTH((irg::clamped(infinity, -1.0, 1.0) == 1.0 && irg::clamped(-infinity, -1.0, 1.0) == -1.0));
+  CHECK_BOTH(irg::clamped(archetype::scalar(9), archetype::scalar(1), archetype::scalar(4)) == archetype::scalar(4));
+}
+
+TEST_CASE("scalar: std's names are free under both directives") {
+  using namespace std;
+  using namespace irg;
+  CHECK((clamp(5, 0, 3) == clamped(5, 0, 3) && greater<>{}(2, 1) && identity{}(maximum(2, 1)) == 2));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <irg/core/sinks.hpp>
 
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -68,4 +70,14 @@ TEST_CASE("sinks: what they receive compares by value") {
   CHECK_BOTH(irg::cell{1, 2} != irg::cell{2, 1});
   CHECK_BOTH(irg::span_of_cells{1, 2, 3} == irg::span_of_cells{1, 2, 3});
   CHECK_BOTH(irg::span_of_cells{1, 2, 3} != irg::span_of_cells{1, 2, 4});
+}
+
+TEST_CASE("cell: written as (x, y), and hashed: no two of many near by alike") {
+  std::ostringstream out;
+  out << irg::cell{-1, 2};
+  CHECK(out.str() == "(-1, 2)");
+  std::set<std::size_t> hashes;
+  for (int x = -40; x < 40; ++x)
+    for (int y = -40; y < 40; ++y) hashes.insert(std::hash<irg::cell>{}({x, y}));
+  CHECK(hashes.size() == 6400);
 }

@@ -16,6 +16,16 @@ TEST_CASE("triangle_indices: three words in a row, all of them compared") {
   CHECK_BOTH(triangle_indices{{1, 2, 3}} != triangle_indices{{1, 2, 1}});
 }
 
+TEST_CASE("sign_of and opposite: of every word that is a sign") {
+  const auto turns = [](auto word) {
+    return sign_of(opposite(word)) == -sign_of(word) && opposite(opposite(word)) == word;
+  };
+  CHECK_BOTH((sign_of(irg::side::below) == -1 && sign_of(irg::facing::front) == 1));
+  CHECK_BOTH((opposite(irg::side::above) == irg::side::below && opposite(irg::side::on) == irg::side::on));
+  CHECK((turns(irg::side::above) && turns(irg::location::inside) && turns(irg::facing::back)));
+  CHECK((turns(irg::orientation::clockwise) && turns(irg::facing::edge_on)));
+}
+
 enum class outcome { ordinary, refused };
 using number = irg::checked<int, outcome>;
 

@@ -32,8 +32,8 @@ constexpr outcome of_arch_and_bowl(double tolerance) {
   return all;
 }
 
-meetings_result meetings(const std::vector<P>& a, const std::vector<P>& b, const irg::meeting_search<double>& how,
-                         std::vector<M>& room) {
+meetings_result meetings(const std::vector<P>& a, const std::vector<P>& b,
+                         const irg::bezier_intersection_options<double>& how, std::vector<M>& room) {
   std::vector<P> scratch(3 * (a.size() + b.size()));
   return irg::bezier_intersections(a, b, how, std::span<M>(room), std::span<P>(scratch));
 }

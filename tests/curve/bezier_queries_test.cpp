@@ -16,7 +16,7 @@ namespace {
 
 using P = irg::point<double, 2>;
 using C = irg::vec<double, 1>;
-using Z = irg::zero_stretch<double>;
+using Z = irg::root_interval<double>;
 constexpr double inf = std::numeric_limits<double>::infinity(), no_number = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::array<P, 4> arch{P{0, 0}, P{0, 4}, P{4, 4}, P{4, 0}};

@@ -142,8 +142,8 @@ TEST_CASE("bezier: error of both forms against 64-bit arithmetic") {
         CHECK(std::abs(q[i]) <= 1 + 4 * 0x1p-53);
       }
     }
-    CHECK(worst <= lesser(6.0, 3 * static_cast<double>(count - 1)));
-    CHECK(worst_linear <= lesser(6.0, 3.5 * static_cast<double>(count - 1)));
+    CHECK(worst <= minimum(6.0, 3 * static_cast<double>(count - 1)));
+    CHECK(worst_linear <= minimum(6.0, 3.5 * static_cast<double>(count - 1)));
     MESSAGE("degree ", count - 1, ": de Casteljau ", worst, " u, Wozny-Chudy ", worst_linear, " u");
   }
 }

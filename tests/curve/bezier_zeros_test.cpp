@@ -14,7 +14,7 @@
 namespace {
 
 using C = irg::vec<double, 1>;
-using Z = irg::zero_stretch<double>;
+using Z = irg::root_interval<double>;
 
 constexpr Z only_zero(double a, double b, double c) {
   std::array<C, 3> coefficients{C{a}, C{b}, C{c}};

@@ -16,7 +16,7 @@ using flat_points = std::vector<flat_point>;
 
 double from_segment(const flat_point& p, const flat_point& a, const flat_point& b) {
   const auto ab = b - a, ap = p - a;
-  const double t = clamp(dot(ab, ab) > 0 ? dot(ap, ab) / dot(ab, ab) : 0.0, 0.0, 1.0);
+  const double t = clamped(dot(ab, ab) > 0 ? dot(ap, ab) / dot(ab, ab) : 0.0, 0.0, 1.0);
   return std::hypot(ap.x - t * ab.x, ap.y - t * ab.y);
 }
 

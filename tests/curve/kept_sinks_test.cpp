@@ -59,14 +59,25 @@ TEST_CASE("sinks keep their state: curves") {
   const std::array<N, 2> rising{N{-1}, N{1}};
   irg::bernstein_roots<double>(rising, 0.0, numbers, roots);
   CHECK(roots.calls == 1);
+  const int points_before = flat.calls;
+  irg::flatten(arch, 0.01, flat);
+  CHECK(flat.calls == 2 * points_before);
+  irg::bezier_forward(arch, 8, forward);
+  CHECK(forward.calls == 18);
+  CHECK(irg::bezier_line_intersections(arch, P2{0, 1}, P2{3, 1}, crossings));
+  CHECK(crossings.calls == 4);
+  irg::bernstein_roots<double>(rising, 0.0, roots);
+  CHECK(roots.calls == 2);
   const std::array<double, 6> list{0, 0, 1, 2, 3, 3};
   std::array<double, 8> shares{};
   irg::bspline_bezier_pieces(irg::bspline_knots<double, 1>(list), arch, shares, std::span<P2>(scratch), pieces);
   CHECK(pieces.calls == 3);
+  irg::bspline_bezier_pieces(irg::bspline_knots<double, 1>(list), arch, pieces);
+  CHECK(pieces.calls == 6);
 }
 
 TEST_CASE("sinks keep their state: surfaces and polygons") {
-  counting_sink lattice, steps, within, trimmed, ears;
+  counting_sink lattice, steps, within, trimmed, ears, patches;
   const auto patch = dome();
   irg::tessellate(patch, 3, 2, lattice);
   CHECK(lattice.calls == 12);
@@ -79,6 +90,15 @@ TEST_CASE("sinks keep their state: surfaces and polygons") {
   CHECK(within.calls > 2);
   CHECK(irg::tessellate_trimmed(net, std::array{P2{0, 0}, P2{1, 0}, P2{0, 1}}, 0.1, trimmed));
   CHECK(trimmed.calls > 2);
+  const std::array<double, 5> list{0, 0, 1, 2, 2};
+  const irg::bspline_knots<double, 1> along(list);
+  std::array<double, 8> shares{};
+  std::array<P3, 4> corners{};
+  const irg::bspline_surface<P3, 1> surface{along, along, net};
+  irg::bspline_surface_patches(surface, shares, corners, patches);
+  CHECK(patches.calls == 4);
+  irg::bspline_surface_patches(surface, patches);
+  CHECK(patches.calls == 8);
   irg::ear_clipping_memory<double> memory;
   CHECK(irg::triangulate_ear_clipping(saw, ears, memory));
   CHECK(ears.calls == 3);

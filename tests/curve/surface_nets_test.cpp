@@ -38,8 +38,8 @@ constexpr double distance_from_sphere(double u, double v) {
   return irg::length(p - P3{}) - 1;
 }
 constexpr V3 normal_at(double u, double v) {
-  const auto n = irg::surface_normal(*irg::nurbs_surface_sample(sphere, u, v), irg::share_of_range(sphere.u, u),
-                                     irg::share_of_range(sphere.v, v));
+  const auto n = irg::surface_normal(*irg::nurbs_surface_sample(sphere, u, v), irg::normalized_parameter(sphere.u, u),
+                                     irg::normalized_parameter(sphere.v, v));
   return n ? *n : V3{};
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("revolution: poles away from the origin, and rows whose points differ 
     for (const double v : {0.0, 2.0}) {
       const auto sample = *irg::nurbs_surface_sample(s, u, v);
       CHECK(sample.du == V3{});
-      const auto n = irg::surface_normal(sample, irg::share_of_range(s.u, u), irg::share_of_range(s.v, v));
+      const auto n = irg::surface_normal(sample, irg::normalized_parameter(s.u, u), irg::normalized_parameter(s.v, v));
       REQUIRE(n);
       CHECK(irg::length(*n - V3{0, v - 1, 0}) < 1e-15);
     }

@@ -94,12 +94,13 @@ constexpr std::uint64_t curve_fits(int rounds) {
     const auto points = some_points<P>(r, size);
     std::vector<double> places(size, 0.), list(count + 4, 0.);
     std::vector<P> control(count, P{});
-    irg::fit_places(std::span<const P>(points), irg::fit_spacing::centripetal, places);
+    static_cast<void>(irg::parametrize(std::span<const P>(points), irg::fit_spacing::centripetal, places));
     irg::fit_knots(std::span<const double>(places), 3, count, list);
     const auto knots = irg::make_bspline_knots(std::span<const double>(list), 3);
     if (!knots) continue;
-    h.add(
-        irg::bspline_least_squares(*knots, places, std::span<const P>(points), irg::fit_ends::through, control).value);
+    const auto fit =
+        irg::bspline_least_squares(*knots, places, std::span<const P>(points), irg::fit_ends::through, control);
+    h.add(fit.value_or(0));
     for (const P& p : control) add_point(h, p);
   }
   return h.value();

@@ -56,7 +56,7 @@ constexpr std::uint64_t geometry_comparisons(int rounds) {
     h.add(irg::compare_distance(p, q, s));
     h.add(irg::compare_distance_to_line(a, b, c, d));
     h.add(irg::compare_distance_to_plane(plane, q, s));
-    h.add(irg::side_of_line(irg::vec<double, 3>{p.x, p.y, p.z}, a));
+    h.add(irg::sign_of(irg::side_of_line(irg::vec<double, 3>{p.x, p.y, p.z}, a)));
     h.add(static_cast<int>(irg::side_of(plane, q)));
   }
   return h.value();

@@ -58,7 +58,7 @@ constexpr std::uint64_t geometry_polygon_shapes(int rounds) {
       h.add(k);
       convex.push_back(ring[k]);
     }
-    h.add(static_cast<int>(irg::point_in_convex_polygon_log(convex, other[0])));
+    h.add(static_cast<int>(irg::point_in_convex_polygon(convex, other[0])));
     h.add(static_cast<int>(irg::convex_polygons_overlap(convex, std::array{other[0], other[1], other[2]})));
     h.add(static_cast<int>(irg::polygons_overlap(convex, std::array{other[0], other[1], other[2]})));
     for (const auto& t : irg::triangulate_ear_clipping(ring)) h.add(t[0] + 10 * t[1] + 100 * t[2]);

@@ -96,7 +96,7 @@ constexpr std::uint64_t hidden_methods(int rounds) {
     }
     const irg::cell_window all{0, 0, size, size};
     const auto add = [&](const auto& method) {
-      irg::image<std::uint32_t> ids(size, size, irg::no_face);
+      irg::image<std::uint32_t> ids(size, size, irg::no_index);
       irg::draw_counts counts;
       method(faces, all, ids, counts);
       h.add(static_cast<int>(counts.tested));
@@ -145,7 +145,7 @@ constexpr std::uint64_t hidden_bsp_scene(int rounds) {
                                            to_clip * vertices[3 * k + 2]};
       for (const irg::screen_piece& p : clip_to_screen(c, mapping, k)) faces.push_back(p.face);
     }
-    irg::image<std::uint32_t> ids(size, size, irg::no_face);
+    irg::image<std::uint32_t> ids(size, size, irg::no_index);
     irg::draw_counts counts;
     irg::bsp_scene_painter<double>(tree, irg::vec<double, 3>{0, 0, 1}, to_clip, mapping)(
         faces, irg::cell_window{0, 0, size, size}, ids, counts);

@@ -75,7 +75,7 @@ constexpr std::uint64_t matrices(int rounds) {
   test::random r(5);
   determinism::hasher h;
   const auto number = [&] { return static_cast<T>(2 * r.unit() - 1); };
-  irg::mat<T, 4, 4> chain = irg::identity<T, 4>();
+  irg::mat<T, 4, 4> chain = irg::identity_matrix<T, 4>();
   for (int i = 0; i < rounds; ++i) {
     irg::mat<T, 4, 4> a;
     for (auto& row : a.m)

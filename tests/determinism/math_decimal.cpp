@@ -12,7 +12,7 @@ using determinism::hasher;
 template <class T>
 constexpr void add_text(hasher& h, T value) {
   char text[irg::longest_decimal<T>] = {};
-  char* const end = irg::print_decimal(text, text + irg::longest_decimal<T>, value);
+  char* const end = *irg::print_decimal(text, text + irg::longest_decimal<T>, value);
   for (const char* p = text; p != end; ++p) h.add(static_cast<int>(*p));
   h.add(irg::parse_decimal<T>(text, end).value);
   h.add(irg::parse_decimal<float>(text, text + (end - text) / 2).value);

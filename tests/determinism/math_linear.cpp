@@ -47,7 +47,7 @@ constexpr std::uint64_t systems(int rounds) {
     const irg::vec<T, 3> b{static_cast<T>(r.unit()), static_cast<T>(r.unit()), 1};
     const auto x = solve_gauss(a, b), y = solve_exact(a, b);
     const auto z = lu_solve_refined(a, b);
-    h.add(static_cast<int>(x.kind) * 8 + static_cast<int>(y.kind));
+    h.add(static_cast<int>(x.status) * 8 + static_cast<int>(y.status));
     for (int k = 0; k < 3; ++k) {
       h.add(x.x[k]);
       h.add(y.x[k]);

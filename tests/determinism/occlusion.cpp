@@ -30,7 +30,7 @@ constexpr std::uint64_t visibility_weights(int rounds) {
   return over_scenes<double>(rounds, [](auto& h, const auto& s, const auto& vertices, const auto& mapping, auto&) {
     irg::image<std::uint32_t> ids(s.width, s.height);
     irg::image<float> depth(s.width, s.height), alone(s.width, s.height);
-    const irg::depth_settings settings{irg::face_culling::none, {}, irg::clearing::before_drawing};
+    const irg::draw_depth_options settings{irg::face_culling::none, {}, irg::clearing::before_drawing};
     irg::draw_visibility({ids, depth}, irg::projected_triangles{vertices, s.triangles, mapping}, settings);
     irg::draw_depth(alone, irg::projected_triangles{vertices, s.triangles, mapping}, settings);
     const irg::triangle_batch<double> batch{&vertices, s.triangles, 0};

@@ -46,7 +46,7 @@ constexpr std::uint64_t raster_face_order(int rounds) {
     const int x = static_cast<int>(r.integer(-9, 20)), y = static_cast<int>(r.integer(-9, 20));
     h.add(irg::compare_depths(a, b, x, y) + 1);
     h.add(irg::is_nearer<irg::nearer_is_less>(a, b, x, y));
-    h.add(irg::side_of_face(a, b.v[0]) + 1);
+    h.add(irg::sign_of(irg::side_of_face(a, b.v[0])) + 1);
     h.add(static_cast<int>(irg::classify(a.coverage, {x, y, x + 4, y + 4})));
   }
   return h.value();

@@ -79,7 +79,7 @@ constexpr std::uint64_t render_textures_and_glass(int rounds) {
     const auto projected = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
     irg::image<irg::rgba8> colour(width, height);
     irg::image<float> depth(width, height);
-    const irg::draw_settings<irg::rgba8> settings{irg::face_culling::none, {}, irg::clearing::before_drawing, {}};
+    const irg::draw_options<irg::rgba8> settings{irg::face_culling::none, {}, irg::clearing::before_drawing, {}};
     const std::span<const irg::triangle_indices> all(s.triangles);
     const irg::triangle_batch<double> opaque[1] = {{&projected, all.first(all.size() / 2)}},
                                       glass[1] = {{&projected, all.subspan(all.size() / 2)}};

@@ -152,7 +152,7 @@ TEST_CASE("draw_deep_mandelbrot: degenerate pictures") {
   CHECK_BOTH(one(1e9, 0, 2, 9) == 0);
   CHECK(one(0.3, std::numeric_limits<double>::quiet_NaN(), 2, 9) == 0);
   image<int> none(0, 5);
-  CHECK(draw_deep_mandelbrot(none, deep_job{}) == irg::deep_escape_stats{});
+  CHECK(draw_deep_mandelbrot(none, deep_job{}) == irg::deep_escape_counts{});
 }
 
 // The orbit that all pixels share ends where it has left 2^20; pixels whose disc is larger go on by themselves.

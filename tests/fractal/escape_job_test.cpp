@@ -3,13 +3,13 @@
 
 #include "support/check_both.hpp"
 
-TEST_CASE("escape_stats: sums; escape_job: everything is skipped unless said otherwise") {
-  CHECK_BOTH((irg::escape_stats{} == irg::escape_stats{0, 0, 0, 0}));
-  constexpr irg::escape_stats twice = [] {
-    irg::escape_stats s{10, 2, 1, 3};
+TEST_CASE("escape_counts: sums; escape_job: everything is skipped unless said otherwise") {
+  CHECK_BOTH((irg::escape_counts{} == irg::escape_counts{0, 0, 0, 0}));
+  constexpr irg::escape_counts twice = [] {
+    irg::escape_counts s{10, 2, 1, 3};
     return s += s;
   }();
-  CHECK_BOTH((twice == irg::escape_stats{20, 4, 2, 6}));
+  CHECK_BOTH((twice == irg::escape_counts{20, 4, 2, 6}));
   CHECK_BOTH(
-      (irg::escape_job<double>{}.skip == irg::escape_skips{irg::skipping::on, irg::skipping::on, irg::skipping::on}));
+      (irg::escape_job<double>{}.skip == irg::escape_options{irg::skipping::on, irg::skipping::on, irg::skipping::on}));
 }

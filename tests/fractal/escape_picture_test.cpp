@@ -76,7 +76,7 @@ void try_random_windows() {
     CHECK(stats.pixels == std::int64_t{j.plane.width} * j.plane.height);
     CHECK(draw_mandelbrot(parallel, j, irg::parallel{3}) == stats);
     j.skip = {skipping::off, skipping::off, skipping::off};
-    CHECK((draw_mandelbrot(off, j) == irg::escape_stats{stats.pixels, 0, 0}));
+    CHECK((draw_mandelbrot(off, j) == irg::escape_counts{stats.pixels, 0, 0}));
     CHECK(on == off);
     CHECK(on == parallel);
     CHECK(wrong(on, j, [&](const irg::point<T, 2>& c) { return mandelbrot_count(c, j.limit); }) == 0);
@@ -177,14 +177,14 @@ TEST_CASE("escape pictures: rows shorter than a register and the ends of rows sk
                     make_escape_limit(2.0, 2147483647),
                     {skipping::off, skipping::on, skipping::off}};
     const auto stats = draw_mandelbrot(m, inner);  // each orbit ends in a point or a cycle; most is out of reach
-    CHECK(stats == irg::escape_stats{2 * width, 0, 2 * width});
+    CHECK(stats == irg::escape_counts{2 * width, 0, 2 * width});
     for (int x = 0; x < width; ++x) CHECK(m(x, 0) == 2147483647);
   }
 }
 
 TEST_CASE("escape pictures: degenerate") {
   counts none(0, 0), one(1, 1), row(3, 1);
-  CHECK((draw_mandelbrot(none, job{{{-2, 1, -1, 1}, 0, 0}, make_escape_limit(2.0, 9), {}}) == irg::escape_stats{}));
+  CHECK((draw_mandelbrot(none, job{{{-2, 1, -1, 1}, 0, 0}, make_escape_limit(2.0, 9), {}}) == irg::escape_counts{}));
   draw_mandelbrot(one, job{{{0, 0, 1, 1}, 1, 1}, make_escape_limit(2.0, 9), {}});
   CHECK(one(0, 0) == 9);
   draw_julia(row, job{{{-9, 9, 0, 0}, 3, 1}, make_escape_limit(2.0, 0), {}}, course_c);

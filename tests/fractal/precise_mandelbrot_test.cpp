@@ -38,7 +38,7 @@ TEST_CASE("draw_mandelbrot in double_doubles: the counts of MPFR, at widths down
     const irg::precise_escape_job precise{rounded(job.re), rounded(job.im), job.pixel, job.limit};
     job.re = exact(precise.re), job.im = exact(precise.im);
     image<int> counts(pixels, pixels), together(pixels, pixels);
-    const irg::precise_escape_stats stats = draw_mandelbrot(counts, precise);
+    const irg::precise_escape_counts stats = draw_mandelbrot(counts, precise);
     CHECK(draw_mandelbrot(together, precise, irg::parallel{2}) == stats);
     CHECK(counts == together);
     CHECK(stats.pixels == pixels * pixels);
@@ -75,15 +75,15 @@ TEST_CASE("sure_mandelbrot_count: as in doubles where nothing is rounded; what n
   // A distance of 2^-90 from the set at -2, which doubles cannot tell.
   CHECK(sure_mandelbrot_count(C{double_double(-2, -0x1p-90), 0}, make_escape_limit(2.5, 1000)).count < 60);
   image<int> none(0, 3), one(1, 1);
-  CHECK(draw_mandelbrot(none, irg::precise_escape_job{0, 0, 1, limit}) == irg::precise_escape_stats{});
-  CHECK(draw_mandelbrot(one, irg::precise_escape_job{0.3, 0, 1e-30, limit}) == irg::precise_escape_stats{1, 0, 0});
+  CHECK(draw_mandelbrot(none, irg::precise_escape_job{0, 0, 1, limit}) == irg::precise_escape_counts{});
+  CHECK(draw_mandelbrot(one, irg::precise_escape_job{0.3, 0, 1e-30, limit}) == irg::precise_escape_counts{1, 0, 0});
   CHECK(one(0, 0) == 14);
   draw_mandelbrot(one, irg::precise_escape_job{nan, 0, 1, limit});
   CHECK(one(0, 0) == 0);
 }
 
 TEST_CASE("draw_mandelbrot in double_doubles: steps out of a disc so large that their squares fit no fixed_point") {
-  using stats = irg::precise_escape_stats;
+  using stats = irg::precise_escape_counts;
   image<int> one(1, 1);
   // c lies within the disc by less than 106 bits tell; its square plus c is near 2^38, and that one's square modulo
   // 2^64 is negative.
@@ -99,7 +99,7 @@ TEST_CASE("draw_mandelbrot in double_doubles: steps out of a disc so large that 
 }
 
 TEST_CASE("draw_mandelbrot in double_doubles: right on the largest circle that more digits are taken for") {
-  using stats = irg::precise_escape_stats;
+  using stats = irg::precise_escape_counts;
   image<int> one(1, 1);
   for (const irg::point<double, 2> c : {irg::point<double, 2>{0x1p20, 0}, {0, 0x1p20}, {-0x1p20, 0}, {0, -0x1p20}}) {
     CHECK(draw_mandelbrot(one, irg::precise_escape_job{c.x, c.y, 1, make_escape_limit(0x1p20, 9)}) == stats{1, 0, 1});

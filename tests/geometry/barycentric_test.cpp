@@ -109,19 +109,19 @@ TEST_CASE("barycentric: triangles without area, and as thin as doubles go") {
              std::optional(V3{0.25, 0.25, 0.5}));
 }
 
-TEST_CASE("widest_view: the largest component of the normal, the lowest axis on ties") {
-  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{1, 0, 0}, P3{0, 1, 0}) == std::optional(2));
-  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{0, 0, 1}, P3{1, 0, 0}) == std::optional(1));
-  CHECK_BOTH(irg::widest_view(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
-  CHECK_BOTH(irg::widest_view(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1.0000000000000002}) == std::optional(0));
-  CHECK_BOTH(irg::widest_view(P3{1.0000000000000002, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(1));
-  CHECK_BOTH(irg::widest_view(P3{-1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
-  CHECK_BOTH(irg::widest_view(P3{0x1p-1060, 0, 0}, P3{0, 0x1p-1060, 0}, P3{0, 0, 0x1.000001p-1060}) ==
+TEST_CASE("dropped_axis: the largest component of the normal, the lowest axis on ties") {
+  CHECK_BOTH(irg::dropped_axis(P3{0, 0, 0}, P3{1, 0, 0}, P3{0, 1, 0}) == std::optional(2));
+  CHECK_BOTH(irg::dropped_axis(P3{0, 0, 0}, P3{0, 0, 1}, P3{1, 0, 0}) == std::optional(1));
+  CHECK_BOTH(irg::dropped_axis(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
+  CHECK_BOTH(irg::dropped_axis(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1.0000000000000002}) == std::optional(0));
+  CHECK_BOTH(irg::dropped_axis(P3{1.0000000000000002, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(1));
+  CHECK_BOTH(irg::dropped_axis(P3{-1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
+  CHECK_BOTH(irg::dropped_axis(P3{0x1p-1060, 0, 0}, P3{0, 0x1p-1060, 0}, P3{0, 0, 0x1.000001p-1060}) ==
              std::optional(0));
   // The areas along x and y are (2^52 + 1) (2^52 + 3) and one more: only the last of 105 bits differs.
-  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{0, 0x1p52 + 1, 0x1p52 + 2}, P3{0x1p52 + 2, 0, 0x1p52 + 3}) ==
+  CHECK_BOTH(irg::dropped_axis(P3{0, 0, 0}, P3{0, 0x1p52 + 1, 0x1p52 + 2}, P3{0x1p52 + 2, 0, 0x1p52 + 3}) ==
              std::optional(1));
-  CHECK_BOTH(irg::widest_view(P3{0x1p1000, 0, 0}, P3{0, 0x1p1000, 0}, P3{0, 0, 0x1p999}) == std::optional(2));
+  CHECK_BOTH(irg::dropped_axis(P3{0x1p1000, 0, 0}, P3{0, 0x1p1000, 0}, P3{0, 0, 0x1p999}) == std::optional(2));
 }
 
 TEST_CASE("barycentric_orthogonal: the foot of the perpendicular") {
@@ -241,7 +241,7 @@ TEST_CASE("barycentric in space: against the rationals of the view that rational
         if (abs(area(seen[best][0], seen[best][1], seen[best][2])) < abs(area(seen[k][0], seen[k][1], seen[k][2])))
           best = k;
       const P2* s = seen[best];
-      REQUIRE(irg::widest_view(a, b, c) == (area(s[0], s[1], s[2]).sign() == 0 ? std::nullopt : std::optional(best)));
+      REQUIRE(irg::dropped_axis(a, b, c) == (area(s[0], s[1], s[2]).sign() == 0 ? std::nullopt : std::optional(best)));
       REQUIRE(barycentric(a, b, c, t) == barycentric(s[0], s[1], s[2], s[3]));
     }
   }
@@ -336,7 +336,7 @@ TEST_CASE("barycentric: numbers that can do no more than Scalar asks for") {
 
 TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
   using namespace test::mixed;
-  using P2 = point<T, 2>;
+  using corner = point<T, 2>;
   // The share of the bound: 2 ulp for subnormal numbers and large ones.
   const auto share = [](T got, const E& area, const E& whole) {
     const double error = quotient_error(got, area, whole), size = std::fabs(static_cast<double>(got));
@@ -345,7 +345,8 @@ TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
     if (has_sign && sign_of(got) != area.sign() * whole.sign()) return wrong;
     return error / (is_far ? 2 : sizeof(T) == 4 ? 0.501 : 0.51);
   };
-  const auto compare = [&](const std::optional<vec<T, 3>>& got, const P2& a, const P2& b, const P2& c, const P2& t) {
+  const auto compare = [&](const std::optional<vec<T, 3>>& got, const corner& a, const corner& b, const corner& c,
+                           const corner& t) {
     const E whole = twice_area(a, b, c);
     if (got.has_value() != (whole.sign() != 0)) return wrong;
     if (!got) return 0.0;
@@ -363,7 +364,7 @@ TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
       named<T>("barycentric in space, of its bound"), 1,
       [&](test::random& r, sizes which) {
         const auto p = points<T, 3, 4>(r, which);
-        P2 seen[3][4];
+        corner seen[3][4];
         E size[3];
         int best = 0;
         for (int k = 0; k < 3; ++k) {
@@ -371,9 +372,9 @@ TEST_CASE_TEMPLATE("barycentric: numbers of all sizes", T, double, float) {
           size[k] = abs(twice_area(seen[k][0], seen[k][1], seen[k][2]));
           if (size[best] < size[k]) best = k;
         }
-        if (widest_view(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best)))
+        if (dropped_axis(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best)))
           return wrong;
-        const P2* s = seen[best];
+        const corner* s = seen[best];
         if (irg::textbook::barycentric_replaced(p[0], p[1], p[2], p[3], best) != barycentric(p[0], p[1], p[2], p[3]))
           return wrong;
         return compare(barycentric(p[0], p[1], p[2], p[3]), s[0], s[1], s[2], s[3]);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 #include "geometry/mixed_cases.hpp"
@@ -57,6 +58,12 @@ TEST_CASE("box: extents, centre and size, golden") {
   CHECK_BOTH(corner(b, 5) == P3{6, 0, 3});
 }
 
+TEST_CASE("box: written by its two corners") {
+  std::ostringstream out;
+  out << irg::box<int, 2>{{0, -1}, {2, 3}};
+  CHECK(out.str() == "((0, -1), (2, 3))");
+}
+
 TEST_CASE("box: minimax, golden") {
   using enum box_boundary;
   constexpr box2 a{{0, 0}, {2, 2}};
@@ -73,11 +80,11 @@ TEST_CASE("box: what two boxes share") {
   CHECK_BOTH(intersect(a, box2{{1, -1}, {3, 1}}) == box2{{1, 0}, {2, 1}});
   CHECK_BOTH(intersect(a, a) == a);
   CHECK_BOTH(intersect(a, box2{{2, 0}, {3, 1}}) == box2{{2, 0}, {2, 1}});  // they touch
-  CHECK_BOTH(is_empty(intersect(a, box2{{3, 0}, {4, 1}})));
-  CHECK_BOTH(is_empty(intersect(a, box2{})));
-  CHECK_BOTH(is_empty(intersect(a, box2{{nan_, 0}, {1, 1}})));
+  CHECK_BOTH(intersect(a, box2{{3, 0}, {4, 1}}).empty());
+  CHECK_BOTH(intersect(a, box2{}).empty());
+  CHECK_BOTH(intersect(a, box2{{nan_, 0}, {1, 1}}).empty());
   CHECK_BOTH(intersect(box2{{-inf, -inf}, {inf, inf}}, a) == a);
-  CHECK_BOTH(is_empty(intersect(box<fraction, 2>{}, box<fraction, 2>{})));
+  CHECK_BOTH(intersect(box<fraction, 2>{}, box<fraction, 2>{}).empty());
 }
 
 TEST_CASE("box: minimax of flat boxes") {
@@ -92,12 +99,12 @@ TEST_CASE("box: minimax of flat boxes") {
 
 TEST_CASE("box: empty") {
   constexpr box2 none;
-  CHECK_BOTH(is_empty(none));
-  CHECK_BOTH(is_empty(box<int, 3>{}));
-  CHECK_BOTH(is_empty(box<fraction, 2>{}));
-  CHECK_BOTH(is_empty(bounding_box(std::array<P2, 0>{})));
-  CHECK_BOTH(is_empty(box2{{0, 0}, {nan_, 1}}));
-  CHECK_BOTH(is_empty(box2{{0, 2}, {1, 1}}));
+  CHECK_BOTH(none.empty());
+  CHECK_BOTH(box<int, 3>{}.empty());
+  CHECK_BOTH(box<fraction, 2>{}.empty());
+  CHECK_BOTH(bounding_box(std::array<P2, 0>{}).empty());
+  CHECK_BOTH(box2{{0, 0}, {nan_, 1}}.empty());
+  CHECK_BOTH(box2{{0, 2}, {1, 1}}.empty());
   CHECK_BOTH(!overlap(none, box2{{-inf, -inf}, {inf, inf}}));
   CHECK_BOTH(!overlap(none, none));
   CHECK_BOTH(!contains(none, P2{0, 0}));
@@ -108,7 +115,7 @@ TEST_CASE("box: empty") {
 
 TEST_CASE("box: NaN coordinates are passed over") {
   CHECK_BOTH(bounding_box(std::array<P2, 3>{P2{nan_, 5}, P2{1, nan_}, P2{2, 3}}) == box2{{1, 3}, {2, 5}});
-  CHECK_BOTH(is_empty(bounding_box(std::array<P2, 2>{P2{nan_, 5}, P2{nan_, 6}})));
+  CHECK_BOTH(bounding_box(std::array<P2, 2>{P2{nan_, 5}, P2{nan_, 6}}).empty());
   CHECK_BOTH(!contains(box2{{0, 0}, {1, 1}}, P2{nan_, 0.5}));
 }
 

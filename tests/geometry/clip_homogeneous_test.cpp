@@ -150,6 +150,14 @@ int release_or(int ci) { return std::getenv("IRG_RELEASE_TIER") ? 50 * ci : ci; 
 
 }  // namespace
 
+TEST_CASE("clip_homogeneous: polygons are equal by the vertices that they have") {
+  clipped_polygon<V<double>> a{{{{1, 2, 3, 4}, {}}, {{5, 6, 7, 8}, {}}}, 1}, b = a;
+  b.vertices[1].position.x = 9;
+  CHECK(a == b);
+  a.count = b.count = 2;
+  CHECK(a != b);
+}
+
 TEST_CASE("clip_homogeneous: type facts") {
   static_assert(irg::ClipVertex<clip_vertex<float, 0>> && irg::ClipVertex<clip_vertex<double, 7>>);
   static_assert(sizeof(clip_vertex<float, 0>) == 4 * sizeof(float));

@@ -36,6 +36,12 @@ constexpr bool nearest(const P3& p, triangle_region region, const P3& at) {
 
 }  // namespace
 
+TEST_CASE("closest points: what comes out is a value") {
+  CHECK_BOTH((irg::point_on_line<P2>{{1, 2}, 3} == irg::point_on_line<P2>{{1, 2}, 3}));
+  CHECK_BOTH((irg::point_on_line<P2>{{1, 2}, 3} != irg::point_on_line<P2>{{1, 2}, 4}));
+  CHECK_BOTH((irg::point_pair<P3>{{}, {1, 2, 3}} != irg::point_pair<P3>{{}, {1, 2, 4}}));
+}
+
 TEST_CASE("closest_point: line, segment, plane, box") {
   CHECK_BOTH(closest_point_on_line(P2{0, 0}, P2{4, 0}, P2{6, 3})->at == P2{6, 0});
   CHECK_BOTH(closest_point_on_line(P2{0, 0}, P2{4, 0}, P2{6, 3})->t == 1.5);

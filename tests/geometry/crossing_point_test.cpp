@@ -67,23 +67,23 @@ using F = irg::segment<float, 2>;
 constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
 constexpr S across{{0, 0}, {4, 0}}, upward{{2, -3}, {2, 3}};
 
-static_assert(irg::side_of_crossing(across, upward, S{{0, -1}, {1, -1}}) == 1);
-static_assert(irg::side_of_crossing(upward, across, S{{1, -1}, {0, -1}}) == -1);
-static_assert(irg::side_of_crossing(across, upward, S{{0, -2}, {4, 2}}) == 0);
-static_assert(irg::side_of_crossing(F{{0, 0}, {4, 0}}, F{{2, -3}, {2, 3}}, F{{0, -1}, {1, -1}}) == 1);
+static_assert(irg::side_of_crossing(across, upward, S{{0, -1}, {1, -1}}) == irg::side::above);
+static_assert(irg::side_of_crossing(upward, across, S{{1, -1}, {0, -1}}) == irg::side::below);
+static_assert(irg::side_of_crossing(across, upward, S{{0, -2}, {4, 2}}) == irg::side::on);
+static_assert(irg::side_of_crossing(F{{0, 0}, {4, 0}}, F{{2, -3}, {2, 3}}, F{{0, -1}, {1, -1}}) == irg::side::above);
 static_assert(!irg::side_of_crossing(across, S{{0, 1}, {1, 1}}, upward));
 static_assert(!irg::side_of_crossing(across, across, upward) &&
               !irg::side_of_crossing(across, S{{2, 0}, {2, 0}}, upward));
-static_assert(irg::side_of_crossing(across, upward, S{{7, 7}, {7, 7}}) == 0);
+static_assert(irg::side_of_crossing(across, upward, S{{7, 7}, {7, 7}}) == irg::side::on);
 static_assert(irg::side_of_crossing(S{{-most, -most}, {most, most}}, S{{-most, most}, {most, -most}},
-                                    S{{-1, -least}, {1, -least}}) == 1);
+                                    S{{-1, -least}, {1, -least}}) == irg::side::above);
 static_assert(!irg::side_of_crossing(across, upward, S{{0, std::numeric_limits<double>::quiet_NaN()}, {1, 0}}));
 
 TEST_CASE("side_of_crossing: what the compiler found is what runs") {
   S wide{{-most, -most}, {most, most}}, of{{-1, -least}, {1, -least}};
-  CHECK(irg::side_of_crossing(wide, S{{-most, most}, {most, -most}}, of) == 1);
+  CHECK(irg::side_of_crossing(wide, S{{-most, most}, {most, -most}}, of) == irg::side::above);
   CHECK(!irg::side_of_crossing(wide, wide, of));
-  CHECK(irg::side_of_crossing(across, upward, S{{0, -2}, {4, 2}}) == 0);
+  CHECK(irg::side_of_crossing(across, upward, S{{0, -2}, {4, 2}}) == irg::side::on);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -95,12 +95,12 @@ struct rational_line {
   explicit rational_line(const S& s)
       : a(Q(s.a[1]) - Q(s.b[1])), b(Q(s.b[0]) - Q(s.a[0])), c(-(a * Q(s.a[0]) + b * Q(s.a[1]))) {}
 };
-std::optional<int> by_cramer(const S& first, const S& second, const S& of) {
+std::optional<irg::side> by_cramer(const S& first, const S& second, const S& of) {
   const rational_line l(first), m(second), n(of);
   const Q w = l.a * m.b - l.b * m.a;
   if (w.sign() == 0) return std::nullopt;
   const Q x = (l.b * m.c - l.c * m.b) / w, y = (l.c * m.a - l.a * m.c) / w;
-  return (n.a * x + n.b * y + n.c).sign();
+  return static_cast<irg::side>((n.a * x + n.b * y + n.c).sign());
 }
 
 TEST_CASE("side_of_crossing: as Cramer's rule in rationals says, small integers to 600 decades") {
@@ -124,10 +124,10 @@ TEST_CASE("side_of_crossing: as Cramer's rule in rationals says, small integers 
     REQUIRE(irg::side_of_crossing(met, first, of) == expected);
     if (!expected)
       ++none;
-    else if (*expected == 0)
+    else if (*expected == irg::side::on)
       ++on;
     else
-      ++sides[*expected > 0];
+      ++sides[*expected == irg::side::above];
   }
   CHECK(on > 500);
   CHECK(none > 50);

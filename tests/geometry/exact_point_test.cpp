@@ -44,9 +44,10 @@ TEST_CASE("exact_point: crossings, their sides and orders, at compile time, too"
     const exact_point o(place{0, 0, 0}), a(place{1, 2, 3}), b(place{1, 2, 3.5});
     return irg::orientation_along(0, o, third, a) == 0 && irg::orientation_along(2, o, third, a) == 0 &&
            irg::orientation_along(0, o, third, b) == 1 && irg::compare_along(1, third, a) == -1 &&
-           irg::compare_along(1, third, third) == 0 && irg::side_of_plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, third) == 0;
+           irg::compare_along(1, third, third) == 0 &&
+           irg::side_of_plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, third) == irg::side::on;
   }());
-  CHECK_BOTH(irg::side_of_plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, exact_point(place{0, 0, 5e-324})) == 1);
+  CHECK_BOTH(irg::side_of_plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, exact_point(place{0, 0, 5e-324})) == irg::side::above);
   CHECK_BOTH(exact_point::mean_of(exact_point(place{3, 0, 0}), exact_point(place{0, 6, 0}), exact_point(place{0, 0, 9}))
                  .rounded() == place{1, 2, 3});
 }
@@ -62,9 +63,9 @@ TEST_CASE("exact_point: where three planes meet, of lattices and of 400 decades"
     const exact_point on_edge = exact_point::on_plane(b[0], b[1], b[2], a[0], a[1]);
     if (!p.is_known() || !q.is_known()) continue;
     ++met;
-    CHECK(irg::side_of_plane(a[0], a[1], a[2], p) == 0);
-    CHECK(irg::side_of_plane(b[0], b[1], b[2], p) == 0);
-    CHECK(irg::side_of_plane(a[0], a[1], a[2], exact_point::mean_of(p, q, p)) == 0);
+    CHECK(irg::side_of_plane(a[0], a[1], a[2], p) == irg::side::on);
+    CHECK(irg::side_of_plane(b[0], b[1], b[2], p) == irg::side::on);
+    CHECK(irg::side_of_plane(a[0], a[1], a[2], exact_point::mean_of(p, q, p)) == irg::side::on);
     for (int axis = 0; axis < 3; ++axis) {
       CHECK(irg::compare_along(axis, q, on_edge) == 0);
       CHECK(irg::orientation_along(axis, p, q, exact_point::mean_of(p, q, p)) == 0);
@@ -127,12 +128,12 @@ TEST_CASE("exact_point: crossings against rationals, of lattices and of 400 deca
     CHECK(irg::orientation_along(axis, made[0], made[1], made[2]) == turn);
     CHECK(irg::compare_along(axis, made[0], made[1]) == (true_point[0].x[axis] - true_point[1].x[axis]).sign());
     const place a = any(), b = any(), c = any();
-    CHECK(irg::side_of_plane(a, b, c, made[2]) ==
+    CHECK(sign_of(irg::side_of_plane(a, b, c, made[2])) ==
           determinant(exactly(a), exactly(b), exactly(c), true_point[2]).sign());
     rational_point middle;
     for (int i = 0; i < 3; ++i)
       middle.x[i] = (true_point[0].x[i] + true_point[1].x[i] + true_point[2].x[i]) / rational(3);
-    CHECK(irg::side_of_plane(a, b, c, exact_point::mean_of(made[0], made[1], made[2])) ==
+    CHECK(sign_of(irg::side_of_plane(a, b, c, exact_point::mean_of(made[0], made[1], made[2]))) ==
           determinant(exactly(a), exactly(b), exactly(c), middle).sign());
     zeros += turn == 0 ? 1 : 0;
     const place near = made[0].rounded();

@@ -25,21 +25,23 @@ TEST_CASE("flat_ring: counter-clockwise where the normal points forward along th
   CHECK_BOTH(irg::flat_ring(tilted, 2).size() == 3);
 }
 
-TEST_CASE("flattening_axis: the largest view, at every size of numbers") {
+TEST_CASE("dropped_axis: the largest view, at every size of numbers") {
   using V = std::vector<P>;
-  CHECK_BOTH(irg::flattening_axis(std::array{I{0, 0, 0}, I{0, 5, 1}, I{1, 0, 5}}) == 0);
-  CHECK_BOTH(irg::flattening_axis(std::array{I{0, 0, 0}, I{5, 0, 1}, I{0, 1, 5}}) == 1);
-  CHECK_BOTH(irg::flattening_axis(std::array{I{0, 0, 0}, I{5, 1, 0}, I{0, 5, 1}}) == 2);
-  CHECK(irg::flattening_axis(V{}) == 2);
-  CHECK(irg::flattening_axis(V{{1, 2, 3}, {1, 2, 3}, {4, 5, 6}}) == 2);
+  CHECK_BOTH(irg::dropped_axis(std::array{I{0, 0, 0}, I{0, 5, 1}, I{1, 0, 5}}) == 0);
+  CHECK_BOTH(irg::dropped_axis(std::array{I{0, 0, 0}, I{5, 0, 1}, I{0, 1, 5}}) == 1);
+  CHECK_BOTH(irg::dropped_axis(std::array{I{0, 0, 0}, I{5, 1, 0}, I{0, 5, 1}}) == 2);
+  CHECK_BOTH(irg::dropped_axis(std::array{I{7, 0, 0}, I{0, 7, 0}, I{0, 0, 7}}) == 0);  // all equal: the lowest
+  CHECK_BOTH(irg::dropped_axis(std::array{I{0, 0, 0}, I{0, 5, 5}, I{-5, 0, 0}}) == 1);
+  CHECK(!irg::dropped_axis(V{}));
+  CHECK(!irg::dropped_axis(V{{1, 2, 3}, {1, 2, 3}, {4, 5, 6}}));
   for (const double scale : {0x1p-1070, 0x1p-500, 1.0, 0x1p500, 0x1p1020}) {
-    CHECK(irg::flattening_axis(V{{0, 0, 0}, {0, 5 * scale, scale}, {scale, 0, 5 * scale}}) == 0);
-    CHECK(irg::flattening_axis(V{{0, 0, 0}, {5 * scale, 0, scale}, {0, scale, 5 * scale}}) == 1);
-    CHECK(irg::flattening_axis(V{{0, 0, 0}, {5 * scale, scale, 0}, {0, 5 * scale, scale}}) == 2);
+    CHECK(irg::dropped_axis(V{{0, 0, 0}, {0, 5 * scale, scale}, {scale, 0, 5 * scale}}) == 0);
+    CHECK(irg::dropped_axis(V{{0, 0, 0}, {5 * scale, 0, scale}, {0, scale, 5 * scale}}) == 1);
+    CHECK(irg::dropped_axis(V{{0, 0, 0}, {5 * scale, scale, 0}, {0, 5 * scale, scale}}) == 2);
   }
   using F = irg::point<float, 3>;
   for (const float scale : {0x1p-140f, 1.0f, 0x1p120f})
-    CHECK(irg::flattening_axis(std::array{F{0, 0, 0}, F{0, 5 * scale, scale}, F{scale, 0, 5 * scale}}) == 0);
+    CHECK(irg::dropped_axis(std::array{F{0, 0, 0}, F{0, 5 * scale, scale}, F{scale, 0, 5 * scale}}) == 0);
 }
 
 }  // namespace

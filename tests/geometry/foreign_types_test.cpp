@@ -118,12 +118,12 @@ std::map<std::string, bool> calls(const V& values) {
   call("cross_products", FOREIGN_CALL(irg::cross_products(v.ring3, v.ring3, std::span(v.space))));
   call("normalize_vectors", FOREIGN_CALL(irg::normalize_vectors(v.ring3, std::span(v.space))));
   call("normalize_vectors_fast", FOREIGN_CALL(irg::normalize_vectors_fast(v.ring3, std::span(v.space))));
-  call("transform_points", FOREIGN_CALL(irg::transform_points(irg::identity<double, 4>(), v.ring3, v.space)));
-  call("transform_vectors", FOREIGN_CALL(irg::transform_vectors(irg::identity<double, 4>(), v.ring3, v.space)));
+  call("transform_points", FOREIGN_CALL(irg::transform_points(irg::identity_matrix<double, 4>(), v.ring3, v.space)));
+  call("transform_vectors", FOREIGN_CALL(irg::transform_vectors(irg::identity_matrix<double, 4>(), v.ring3, v.space)));
   call("to_vec", FOREIGN_CALL(irg::to_vec(v.b3)));
   call("to_point", FOREIGN_CALL(irg::to_point(v.b3)));
-  call("transform_point", FOREIGN_CALL(irg::transform_point(irg::identity<double, 4>(), v.b3)));
-  call("transform_vector", FOREIGN_CALL(irg::transform_vector(irg::identity<double, 4>(), v.b3)));
+  call("transform_point", FOREIGN_CALL(irg::transform_point(irg::identity_matrix<double, 4>(), v.b3)));
+  call("transform_vector", FOREIGN_CALL(irg::transform_vector(irg::identity_matrix<double, 4>(), v.b3)));
   call("translation", FOREIGN_CALL(irg::translation(v.b3)));
   call("scaling", FOREIGN_CALL(irg::scaling(v.c3)));
   call("rotation", FOREIGN_CALL(irg::rotation(v.c3, 0.5)));
@@ -152,7 +152,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("is_finite", FOREIGN_CALL(irg::is_finite(v.a3, v.b3)));
   call("can_snap", FOREIGN_CALL(irg::can_snap(v.a)));
   call("snap", FOREIGN_CALL(irg::snap(v.a)));
-  call("widest_view", FOREIGN_CALL(irg::widest_view(v.a3, v.b3, v.c3)));
+  call("dropped_axis", FOREIGN_CALL(irg::dropped_axis(v.a3, v.b3, v.c3) == irg::dropped_axis(v.ring3)));
   call("barycentric", FOREIGN_CALL(irg::barycentric(v.a3, v.b3, v.c3, v.e3)));
   call("barycentric_fast", FOREIGN_CALL(irg::barycentric_fast(v.a, v.b, v.c, v.e)));
   call("barycentric_orthogonal", FOREIGN_CALL(irg::barycentric_orthogonal(v.a3, v.b3, v.c3, v.e3)));
@@ -209,7 +209,6 @@ std::map<std::string, bool> calls(const V& values) {
   call("polygon_centroid", FOREIGN_CALL(irg::polygon_centroid(v.ring)));
   call("polygon_centroid_fast", FOREIGN_CALL(irg::polygon_centroid_fast(v.ring)));
   call("point_in_convex_polygon", FOREIGN_CALL(irg::point_in_convex_polygon(v.ring, v.e)));
-  call("point_in_convex_polygon_log", FOREIGN_CALL(irg::point_in_convex_polygon_log(v.ring, v.e)));
   call("locate_point", FOREIGN_CALL(irg::locate_point(v.ring, v.e)));
   call("point_in_polygon", FOREIGN_CALL(irg::point_in_polygon(v.ring, v.e)));
   call("winding_number", FOREIGN_CALL(irg::winding_number(v.ring, v.e)));
@@ -219,11 +218,10 @@ std::map<std::string, bool> calls(const V& values) {
   call("newell_normal", FOREIGN_CALL(irg::newell_normal(v.ring3)));
   call("shape_extrusion", FOREIGN_CALL(irg::shape_extrusion(v.ring, 2)));
   call("seen_through_both", FOREIGN_CALL(irg::seen_through_both(v.g3, v.ring3, v.ring3)));
-  call("project_vertices", FOREIGN_CALL(irg::project_vertices(v.ring3, irg::identity<float, 4>(), v.mapping)));
+  call("project_vertices", FOREIGN_CALL(irg::project_vertices(v.ring3, irg::identity_matrix<float, 4>(), v.mapping)));
   call("polygons_overlap", FOREIGN_CALL(irg::polygons_overlap(v.ring, v.ring)));
   call("convex_polygons_overlap", FOREIGN_CALL(irg::convex_polygons_overlap(v.ring, v.ring)));
   call("triangulate_ear_clipping", FOREIGN_CALL(irg::triangulate_ear_clipping(v.ring)));
-  call("flattening_axis", FOREIGN_CALL(irg::flattening_axis(v.ring3)));
   call("newell_plane", FOREIGN_CALL(irg::newell_plane(v.ring3)));
   call("newell_plane_through_centroid", FOREIGN_CALL(irg::newell_plane_through_centroid(v.ring3)));
   call("plane_at_corner", FOREIGN_CALL(irg::plane_at_corner(v.ring3)));
@@ -275,11 +273,15 @@ std::map<std::string, bool> calls(const V& values) {
   call("inverse_depth_steps", FOREIGN_CALL(irg::inverse_depth_steps(v.plane, 5.0)));
   call("central_projection_onto_checked",
        FOREIGN_CALL(irg::central_projection_onto_checked(v.plane, irg::point<double, 3>{1, 2, 9})));
+  call("central_projection_onto", FOREIGN_CALL(irg::central_projection_onto(v.plane, irg::point<double, 3>{1, 2, 9})));
+  call("parallel_projection_onto", FOREIGN_CALL(irg::parallel_projection_onto(v.plane, irg::vec<double, 3>{1, 2, 9})));
   call("parallel_projection_onto_checked",
        FOREIGN_CALL(irg::parallel_projection_onto_checked(v.plane, irg::vec<double, 3>{1, 2, 9})));
   call("plane_by_inversion", FOREIGN_CALL(irg::plane_by_inversion(v.h, v.h2, v.h3)));
   call("projection_onto_plane_checked",
        FOREIGN_CALL(irg::projection_onto_plane_checked(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
+  call("projection_onto_plane", FOREIGN_CALL(irg::projection_onto_plane(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
+  call("shadow_matrix", FOREIGN_CALL(irg::shadow_matrix(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
   call("shadow_matrix_checked", FOREIGN_CALL(irg::shadow_matrix_checked(v.plane, irg::hpoint<double, 3>{1, 2, 9, 1})));
   return taken;
 }
@@ -420,7 +422,7 @@ TEST_CASE("foreign types: project_vertices takes positions of other types, conve
   const std::vector<irg::point<float, 3>> own{{0, 0, 0.5f}, {0.25f, -0.5f, 0.125f}, {7, 0, 0.1f}};
   const std::vector<plain3> others{{0, 0, 0.5}, {0.25, -0.5, 0.125}, {7, 0, static_cast<double>(0.1f)}};
   const auto mapping = irg::map_to_screen<float>({640, 480});
-  const auto to_clip = irg::identity<float, 4>();
+  const auto to_clip = irg::identity_matrix<float, 4>();
   const auto expected = irg::project_vertices<float>(std::span<const irg::point<float, 3>>(own), to_clip, mapping);
   const auto in_place = irg::project_vertices(own, to_clip, mapping);
   irg::projected_vertices<float> converted;

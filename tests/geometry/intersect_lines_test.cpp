@@ -74,6 +74,13 @@ static_assert([] {
              irg::flat_relation::parallel;
 }());
 
+TEST_CASE("intersect_lines: what comes out is a value") {
+  constexpr irg::lines_meeting<P2> m{flat_relation::crossing, {1, 2}, 0.5, 0.25},
+      other{flat_relation::crossing, {1, 3}, 0.5, 0.25};
+  CHECK_BOTH((m == m && !(m == other) &&
+              irg::lines_meeting<std::array<double, 2>>{} == irg::lines_meeting<std::array<double, 2>>{}));
+}
+
 TEST_CASE("intersect_lines: Hank's values") {
   CHECK_BOTH(relations_hold<P3>());
   CHECK_BOTH(relations_hold<Q3>());

@@ -220,7 +220,7 @@ TEST_CASE("random rings of doubles, nearly collinear: orientation, convexity and
       const auto expected = out ? location::outside : on ? location::boundary : location::inside;
       REQUIRE(irg::locate_point(ring, p) == expected);
       REQUIRE(irg::point_in_convex_polygon(ring, p) == expected);
-      REQUIRE(irg::point_in_convex_polygon_log(ring, p) == expected);
+      REQUIRE(irg::detail::locate_by_fan(ring, p) == expected);
       boundary += expected == location::boundary;
       inside += expected == location::inside;
     }

@@ -8,6 +8,7 @@
 #include "support/flush_mode.hpp"
 #include "support/sign_trials.hpp"
 
+using irg::side;
 using irg::side_of_line;
 
 namespace {
@@ -23,41 +24,41 @@ constexpr double huge = std::numeric_limits<double>::max(), tiny = std::numeric_
 }  // namespace
 
 TEST_CASE("side_of_line: on it and beside it") {
-  CHECK_BOTH(side_of_line(V{1, 1, -2}, P{1, 1}) == 0);
-  CHECK_BOTH(side_of_line(V{1, 1, -2}, P{1, 1.0000000000000002}) == 1);
-  CHECK_BOTH(side_of_line(V{1, 1, -2}, P{1, 0.9999999999999999}) == -1);
-  CHECK_BOTH(side_of_line(own_line{1, 1, -2}, irg::point<float, 2>{1, 1}) == 0);
-  CHECK_BOTH(side_of_line(std::array<int, 3>{3, -1, 4}, irg::point<int, 2>{2, 10}) == 0);
+  CHECK_BOTH(side_of_line(V{1, 1, -2}, P{1, 1}) == side::on);
+  CHECK_BOTH(side_of_line(V{1, 1, -2}, P{1, 1.0000000000000002}) == side::above);
+  CHECK_BOTH(side_of_line(V{1, 1, -2}, P{1, 0.9999999999999999}) == side::below);
+  CHECK_BOTH(side_of_line(own_line{1, 1, -2}, irg::point<float, 2>{1, 1}) == side::on);
+  CHECK_BOTH(side_of_line(std::array<int, 3>{3, -1, 4}, irg::point<int, 2>{2, 10}) == side::on);
   CHECK_BOTH(side_of_line(std::array<int, 3>{2147483647, 2147483647, 2147483647},
-                          irg::point<int, 2>{2147483647, -2147483647 - 1}) == 0);
-  CHECK_BOTH(side_of_line(V{huge, -huge, tiny}, P{huge, huge}) == 1);
-  CHECK_BOTH(side_of_line(V{tiny, tiny, 0}, P{tiny, -2 * tiny}) == -1);
+                          irg::point<int, 2>{2147483647, -2147483647 - 1}) == side::on);
+  CHECK_BOTH(side_of_line(V{huge, -huge, tiny}, P{huge, huge}) == side::above);
+  CHECK_BOTH(side_of_line(V{tiny, tiny, 0}, P{tiny, -2 * tiny}) == side::below);
   volatile double one = 1;
-  CHECK(side_of_line(V{1, 1, -2}, P{one, 1}) == 0);
+  CHECK(side_of_line(V{1, 1, -2}, P{one, 1}) == side::on);
 }
 
 TEST_CASE("side_of_line: each member of a line of one's own has its part") {
   using Q = irg::point<float, 2>;
-  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 3}) == 1);
-  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 2}) == 0);
-  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 1}) == -1);
-  CHECK_BOTH(side_of_line(own_line{1, 0, -2}, Q{1, 5}) == -1);
+  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 3}) == side::above);
+  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 2}) == side::on);
+  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 1}) == side::below);
+  CHECK_BOTH(side_of_line(own_line{1, 0, -2}, Q{1, 5}) == side::below);
 }
 
 TEST_CASE("side_of_line: homogeneous points and directions") {
-  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{2, 2, 2}) == 0);
-  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{3, 3, 2}) == 1);
-  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{-3, -3, -2}) == 1);  // the same point
-  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{1, -1, 0}) == 0);    // along the line
-  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{1, 0, 0}) == 1);
+  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{2, 2, 2}) == side::on);
+  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{3, 3, 2}) == side::above);
+  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{-3, -3, -2}) == side::above);  // the same point
+  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{1, -1, 0}) == side::on);    // along the line
+  CHECK_BOTH(side_of_line(V{1, 1, -2}, H{1, 0, 0}) == side::above);
 }
 
 TEST_CASE("side_of_line: no line, no numbers") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  CHECK_BOTH(side_of_line(V{0, 0, 3}, P{5, 6}) == 1);
-  CHECK_BOTH(side_of_line(V{0, 0, 0}, P{5, 6}) == 0);
-  CHECK_BOTH(side_of_line(V{1, 0, 3}, P{nan, 6}) == 0);
-  CHECK_BOTH(side_of_line(V{1, 0, 3}, P{infinity, 6}) == 0);
+  CHECK_BOTH(side_of_line(V{0, 0, 3}, P{5, 6}) == side::above);
+  CHECK_BOTH(side_of_line(V{0, 0, 0}, P{5, 6}) == side::on);
+  CHECK_BOTH(side_of_line(V{1, 0, 3}, P{nan, 6}) == side::on);
+  CHECK_BOTH(side_of_line(V{1, 0, 3}, P{infinity, 6}) == side::on);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -83,11 +84,12 @@ void check_random(int trials) {
     };
     const irg::vec<T, 3> line{l[0], l[1], l[2]};
     const irg::plane<T> plane{l[0], l[1], l[2], l[3]};
-    CHECK(side_of_line(line, irg::point<T, 2>{q[0], q[1]}) == sum(2, false));
-    CHECK(side_of_line(line, irg::hpoint<T, 2>{q[0], q[1], q[2]}) == sum(2, true));
+    CHECK(sign_of(side_of_line(line, irg::point<T, 2>{q[0], q[1]})) == sum(2, false));
+    CHECK(sign_of(side_of_line(line, irg::hpoint<T, 2>{q[0], q[1], q[2]})) == sum(2, true));
     CHECK(static_cast<int>(side_of(plane, irg::point<T, 3>{q[0], q[1], q[2]})) == sum(3, false));
     CHECK(static_cast<int>(side_of(plane, irg::hpoint<T, 3>{q[0], q[1], q[2], q[3]})) == sum(3, true));
-    CHECK(test::while_flushing([&] { return side_of_line(line, irg::point<T, 2>{q[0], q[1]}); }) == sum(2, false));
+    CHECK(sign_of(test::while_flushing([&] { return side_of_line(line, irg::point<T, 2>{q[0], q[1]}); })) ==
+          sum(2, false));
     lines.add(sum(2, true)), planes.add(sum(3, true));
   }
   lines.check(), planes.check();
@@ -110,7 +112,7 @@ TEST_CASE("side_of_line: next to a line that roundings hide") {
     const double a = r.unit(), b = r.unit(), x = r.unit() + 1000, y = r.unit() + 1000;
     const double c = static_cast<double>(r.integer(-1, 1)) * 0x1p-43 - (irg::product(a, x) + irg::product(b, y));
     const int due = (test::exact(a) * test::exact(x) + test::exact(b) * test::exact(y) + test::exact(c)).sign();
-    CHECK(side_of_line(V{a, b, c}, P{x, y}) == due);
+    CHECK(sign_of(side_of_line(V{a, b, c}, P{x, y})) == due);
     const double rounded = (irg::product(a, x) + irg::product(b, y)) + c;
     rounded_zero += rounded == 0 && due != 0;
     rounded_wrong += (rounded > 0 && due < 0) || (rounded < 0 && due > 0);

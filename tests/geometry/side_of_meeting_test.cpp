@@ -9,6 +9,7 @@
 
 namespace {
 
+using irg::side;
 using plane = irg::plane_points<double>;
 
 constexpr plane across(int axis, double at) {
@@ -18,28 +19,28 @@ constexpr plane across(int axis, double at) {
   p.c[(axis + 2) % 3] = 1;
   return p;
 }
-constexpr std::optional<int> side_of_corner(double x, double y, double z, const plane& of) {
+constexpr std::optional<side> side_of_corner(double x, double y, double z, const plane& of) {
   return side_of_meeting(across(0, x), across(1, y), across(2, z), of);
 }
 
 TEST_CASE("side_of_meeting: the corner of a box, planes that meet nowhere, hostile numbers") {
   constexpr plane slope{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // x + y + z = 1
-  CHECK_BOTH(side_of_corner(1, 1, 1, slope) == 1);
-  CHECK_BOTH(side_of_corner(0, 0, 0, slope) == -1);
-  CHECK_BOTH(side_of_corner(0.5, 0.25, 0.25, slope) == 0);
-  CHECK_BOTH(side_of_corner(0.5, 0.25, 0.25 + 0x1p-54, slope) == 1);
-  CHECK_BOTH(side_of_corner(0.5, 0.25, 0.25 - 0x1p-54, slope) == -1);
-  CHECK_BOTH(side_of_corner(1e300, -1e300, 1, slope) == 0);
-  CHECK_BOTH(side_of_corner(1e300, -1e300, 1 - 0x1p-53, slope) == -1);
+  CHECK_BOTH(side_of_corner(1, 1, 1, slope) == side::above);
+  CHECK_BOTH(side_of_corner(0, 0, 0, slope) == side::below);
+  CHECK_BOTH(side_of_corner(0.5, 0.25, 0.25, slope) == side::on);
+  CHECK_BOTH(side_of_corner(0.5, 0.25, 0.25 + 0x1p-54, slope) == side::above);
+  CHECK_BOTH(side_of_corner(0.5, 0.25, 0.25 - 0x1p-54, slope) == side::below);
+  CHECK_BOTH(side_of_corner(1e300, -1e300, 1, slope) == side::on);
+  CHECK_BOTH(side_of_corner(1e300, -1e300, 1 - 0x1p-53, slope) == side::below);
   CHECK_BOTH(!side_of_meeting(across(0, 1), across(0, 2), across(1, 3), slope));
   CHECK_BOTH(!side_of_meeting(slope, slope, across(1, 3), slope));
   constexpr plane flat{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
   CHECK_BOTH(!side_of_meeting(across(0, 1), flat, across(1, 3), slope));
-  CHECK_BOTH(side_of_corner(1, 2, 3, flat) == 0);
+  CHECK_BOTH(side_of_corner(1, 2, 3, flat) == side::on);
   CHECK(side_of_meeting(irg::plane_points<float>{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}},
                         irg::plane_points<float>{{0, 1, 0}, {1, 1, 0}, {0, 1, 1}},
                         irg::plane_points<float>{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}},
-                        irg::plane_points<float>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == 1);
+                        irg::plane_points<float>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == side::above);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -89,7 +90,7 @@ TEST_CASE("side_of_meeting: against Cramer's rule in rationals, of all magnitude
     }
     const Q x = -minor(e, 3, 1, 2), y = -minor(e, 0, 3, 2), z = -minor(e, 0, 1, 3);
     const Q value = (of.v[0] * x + of.v[1] * y + of.v[2] * z) / w + of.v[3];
-    REQUIRE(got == value.sign());
+    REQUIRE(got == static_cast<side>(value.sign()));
     ++(value.sign() == 0 ? on : off);
   }
   CHECK(none > 20);

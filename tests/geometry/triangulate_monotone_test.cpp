@@ -347,6 +347,7 @@ TEST_CASE("triangulate_monotone: random simple polygons with spikes, pauses and 
     const auto t = irg::triangulate_monotone(r);
     const bool crosses = test::ways_cross({r});
     REQUIRE((t.status == triangulation_status::crossing) == crosses);
+    REQUIRE(static_cast<bool>(t) != crosses);
     ++(crosses ? crossing : complete);
     if (!crosses) check({r}, corners::may_touch, r.size() - 2);
   }

@@ -74,7 +74,7 @@ void compare(const std::vector<irg::screen_face>& faces, const test::id_image& i
   const test::id_image exact = test::exact_ids(faces, ids.width(), ids.height());
   for (int y = 0; y < ids.height(); ++y)
     for (int x = 0; x < ids.width(); ++x) {
-      d.shown += exact(x, y) != irg::no_face;
+      d.shown += exact(x, y) != irg::no_index;
       if (ids(x, y) == exact(x, y)) continue;
       const irg::screen_face *a = nullptr, *b = nullptr;
       for (const irg::screen_face& f : faces) {
@@ -132,7 +132,7 @@ TEST_CASE("bsp_scene_painter: the exact picture, but where snapping can have mov
     const bool parallel = scene % 3 == 2;
     const view_of_space v = seen(eye, target, parallel);
     const auto faces = faces_of(s, v);
-    test::id_image ids(width, height, irg::no_face);
+    test::id_image ids(width, height, irg::no_index);
     irg::draw_counts counts;
     if (parallel)
       irg::bsp_scene_painter<double>(tree, eye - target, v.to_clip, v.mapping)(faces, picture, ids, counts);
@@ -158,7 +158,7 @@ TEST_CASE("bsp_scene_painter: one tree for all eyes, in windows, with an eye in 
     const view_of_space v = seen(eye, {0.5, -0.25, 0.125}, false);
     const auto faces = faces_of(s, v);
     const irg::bsp_scene_painter<double> method(tree, eye, v.to_clip, v.mapping);
-    test::id_image whole(width, height, irg::no_face), parts(width, height, irg::no_face);
+    test::id_image whole(width, height, irg::no_index), parts(width, height, irg::no_index);
     irg::draw_counts counts;
     method(faces, picture, whole, counts);
     for (int y = 0; y < height; y += 17)
@@ -191,7 +191,7 @@ TEST_CASE("bsp_scene_painter: the same pictures of scenes that are hundreds of d
                               irg::map_to_screen<double>({width, height})};
         const auto faces = faces_of(s, v);
         const irg::bsp_tree_3d<double> tree(s.vertices, s.triangles);
-        test::id_image ids(width, height, irg::no_face);
+        test::id_image ids(width, height, irg::no_index);
         irg::draw_counts counts;
         if (parallel)
           irg::bsp_scene_painter<double>(tree, eye - scaled(target), v.to_clip, v.mapping)(faces, picture, ids, counts);
@@ -211,14 +211,14 @@ TEST_CASE("bsp_scene_painter: in constant evaluation") {
     const P v[] = {{-1, -1, 0.25}, {1, -1, 0.25}, {-1, 1, 0.75}, {-1, -1, 0.5}, {1, -1, 0.5}, {-1, 1, 0.5}};
     const irg::triangle_indices t[] = {{{0, 1, 2}}, {{3, 4, 5}}};
     const irg::bsp_tree_3d<double> tree(v, t, {.candidates = 1});
-    const view_of_space view{irg::identity<double, 4>(), irg::map_to_screen<double>({8, 8})};
+    const view_of_space view{irg::identity_matrix<double, 4>(), irg::map_to_screen<double>({8, 8})};
     std::vector<irg::screen_face> faces;
     for (std::uint32_t i = 0; i < 2; ++i) {
       const irg::hpoint<double, 3> c[3] = {view.to_clip * v[3 * i], view.to_clip * v[3 * i + 1],
                                            view.to_clip * v[3 * i + 2]};
       for (const irg::screen_piece& p : clip_to_screen(c, view.mapping, i)) faces.push_back(p.face);
     }
-    test::id_image ids(8, 8, irg::no_face);
+    test::id_image ids(8, 8, irg::no_index);
     irg::draw_counts counts;
     irg::bsp_scene_painter<double>(tree, irg::vec<double, 3>{0, 0, 1}, view.to_clip, view.mapping)(
         faces, irg::cell_window{0, 0, 8, 8}, ids, counts);

@@ -13,10 +13,10 @@ TEST_CASE("classical_methods: each name is its method") {
   };
   constexpr auto shown = [face](irg::classical_method method) {
     const std::vector<irg::screen_face> faces{face(0, 16, 0.9f, 0.1f, 0), face(0, 2, 0.7f, 0.7f, 1)};
-    irg::image<std::uint32_t> ids(16, 16, irg::no_face);
+    irg::image<std::uint32_t> ids(16, 16, irg::no_index);
     irg::draw_counts counts;
     irg::hidden_surfaces_by{method}(faces, irg::cell_window{0, 0, 16, 16}, ids, counts);
-    return counts.tested > 0 ? ids(0, 0) : irg::no_face;
+    return counts.tested > 0 ? ids(0, 0) : irg::no_index;
   };
   using enum irg::classical_method;
   CHECK_BOTH(shown(ray_casting) == 0);
@@ -33,7 +33,7 @@ TEST_CASE("draw_bsp, draw_warnock, draw_painter_newell: ids first, and the old o
       irg::make_screen_face({{0, 0}, 0.5f}, {{4096, 0}, 0.5f}, {{0, 4096}, 0.5f}, 7)};
   const irg::cell_window window{0, 0, 16, 16};
   const auto tree = irg::build_bsp(faces, window);
-  ids_of_picture now(16, 16, irg::no_face), before = now;
+  ids_of_picture now(16, 16, irg::no_index), before = now;
   irg::draw_bsp(now, tree);
   irg::draw_bsp(tree, before);
   CHECK(now(3, 3) == 7);

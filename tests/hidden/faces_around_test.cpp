@@ -31,7 +31,7 @@ constexpr surroundings look(const place& eye, const body& m, const irg::cube_opt
       [&](std::size_t, const std::vector<irg::screen_face>& faces) {
         irg::visible_polygon_map map = irg::visible_polygons(faces, irg::cell_window{0, 0, options.size, options.size});
         for (const auto& r : map.rings)
-          if (r.number != irg::no_face) out.seen.push_back(r.number);
+          if (r.number != irg::no_index) out.seen.push_back(r.number);
         out.sides.push_back(std::move(map));
       },
       options);
@@ -61,7 +61,7 @@ double area_of(const irg::visible_polygon_map& map, std::uint32_t number) {
 
 constexpr bool sees_nothing() {
   const surroundings around = look(place{0, 0, 0}, body{}, {4, 0.5});
-  return around.seen.empty() && around.sides[5].rings.size() == 1 && around.sides[0].rings[0].number == irg::no_face;
+  return around.seen.empty() && around.sides[5].rings.size() == 1 && around.sides[0].rings[0].number == irg::no_index;
 }
 
 TEST_CASE("faces_around: a room from within, each wall on its own side") {
@@ -95,7 +95,7 @@ TEST_CASE("faces_around: places and directions lead back to each other") {
 
 // The number of the triangle that the ray meets first, and by how much it passes its sides, as a part of its size.
 std::uint32_t first_met(const body& m, const irg::vec<double, 3>& d, double& margin) {
-  std::uint32_t best = irg::no_face;
+  std::uint32_t best = irg::no_index;
   double least = 1e300;
   margin = 1;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
@@ -149,7 +149,7 @@ TEST_CASE("faces_around: each direction shows what a ray in it meets first") {
           for (std::size_t n = 0; n < ring.count; ++n) rings.back().push_back(corner_of(map, ring, n));
         }
       wrong += irg::point_in_polygon(rings, at, irg::fill_rule::even_odd) == irg::location::outside;
-      unseen += want != irg::no_face && !std::binary_search(around.seen.begin(), around.seen.end(), want);
+      unseen += want != irg::no_index && !std::binary_search(around.seen.begin(), around.seen.end(), want);
     }
   }
   CHECK(judged > 1000 * times);

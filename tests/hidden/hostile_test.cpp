@@ -111,7 +111,7 @@ TEST_CASE("hostile faces: many layers over each other, each of them twice") {
     faces.push_back(irg::make_screen_face(at(0, 0, depth), at(2048, 0, depth), at(0, 2048, depth), i));
   }
   const auto sees = [&]<class Order>(Order) {
-    const std::uint32_t seen = irg::picture_face_at<Order>(faces, 1, 1);
+    const std::uint32_t seen = irg::picture_face_at<Order>(faces, 1, 1).value();
     const auto see = [&](const auto& method) {
       return test::ids_of(method, faces, 2, 2) == test::id_image(2, 2, seen);
     };

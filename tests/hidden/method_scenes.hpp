@@ -164,7 +164,7 @@ inline face_oracle oracle_of(const face_list& faces, int width, int height) {
   return {std::move(triangles), width, height};
 }
 inline id_image ids_of(const face_oracle& oracle, int width, int height) {
-  id_image ids(width, height, irg::no_face);
+  id_image ids(width, height, irg::no_index);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       if (const std::uint32_t id = oracle.at(x, y).nearest; id != 0) ids(x, y) = id - 1;
@@ -177,7 +177,7 @@ inline id_image exact_ids(const face_list& faces, int width, int height) {
 /// What a method finds.
 template <class Method>
 constexpr id_image ids_of(const Method& method, const face_list& faces, int width, int height) {
-  id_image ids(width, height, irg::no_face);
+  id_image ids(width, height, irg::no_index);
   irg::draw_counts counts;
   method(faces, irg::cell_window{0, 0, width, height}, ids, counts);
   return ids;

@@ -23,10 +23,10 @@ int number_from(const char* variable, int otherwise) {
 
 // The textbook's z-buffer with the depths of shade_triangle, which are compared as they are.
 test::id_image zbuffer_ids(const test::face_list& faces, int size) {
-  test::id_image ids(size, size, irg::no_face);
+  test::id_image ids(size, size, irg::no_index);
   irg::image<float> depth(size, size);
   const irg::textbook::zbuffer buffers{irg::nearer_is_greater{}, ids, depth};
-  buffers.clear(irg::no_face, 0.0f);
+  buffers.clear(irg::no_index, 0.0f);
   std::vector<const irg::screen_face*> in_order(faces.size());
   for (const auto& f : faces) in_order[f.number] = &f;
   for (const auto* f : in_order) irg::textbook::zbuffer_face(buffers, *f, f->number);

@@ -18,7 +18,7 @@ struct outcome {
 // What a method finds, and how many blocks of memory it took that have room for a depth in every pixel.
 template <class Method>
 outcome by(const Method& method, const test::face_list& faces) {
-  outcome o{test::id_image(one_scene::width, one_scene::height, irg::no_face), 0};
+  outcome o{test::id_image(one_scene::width, one_scene::height, irg::no_index), 0};
   irg::draw_counts counts;
   test::large_block = std::size_t{4} * one_scene::width * one_scene::height;
   test::large_blocks = 0;
@@ -72,7 +72,7 @@ TEST_CASE("one scene, every method: one picture, and depths are kept by the z-bu
   for (int y = 0; y < one_scene::height; ++y)
     for (int x = 0; x < one_scene::width; ++x) {
       const std::uint32_t a = fixed.ids(x, y), b = exact(x, y);
-      if (a != b && (a == irg::no_face || b == irg::no_face || s.body[a] != 2 || s.body[b] != 3)) ++elsewhere;
+      if (a != b && (a == irg::no_index || b == irg::no_index || s.body[a] != 2 || s.body[b] != 3)) ++elsewhere;
     }
   CHECK(elsewhere <= 4);
 }

@@ -11,7 +11,7 @@ TEST_CASE("painter_newell: three rods in turn are split, two through each other 
   const auto steps = [](test::face_scene kind, int n) {
     test::face_scene_maker make(21, 64);
     const auto faces = make(kind, n);
-    irg::image<std::uint32_t> ids(64, 64, irg::no_face);
+    irg::image<std::uint32_t> ids(64, 64, irg::no_index);
     const auto counts = irg::draw_painter_newell(ids, faces, irg::cell_window{0, 0, 64, 64});
     CHECK(test::differing(ids, test::exact_ids(faces, 64, 64)) == 0);
     return counts;
@@ -34,7 +34,7 @@ TEST_CASE("painter_newell: faces apart in depth are drawn as sorted, without a t
       faces.push_back(irg::make_screen_face({{0, 0}, depth}, {{2048, 0}, depth}, {{0, 2048}, depth},
                                             static_cast<std::uint32_t>(i)));
     }
-    irg::image<std::uint32_t> ids(4, 4, irg::no_face);
+    irg::image<std::uint32_t> ids(4, 4, irg::no_index);
     const auto c = irg::draw_painter_newell(ids, faces, irg::cell_window{0, 0, 4, 4});
     return std::pair{c, ids(1, 1)};
   };
@@ -49,7 +49,7 @@ TEST_CASE("painter_newell: the order of input is nothing to it; the observer see
   std::reverse(faces.begin(), faces.end());
   CHECK(test::differing(first, test::ids_of(irg::painter_newell<>{}, faces, 48, 48)) == 0);
   irg::newell_counts seen;
-  test::id_image ids(48, 48, irg::no_face);
+  test::id_image ids(48, 48, irg::no_index);
   const auto counts =
       irg::draw_painter_newell(ids, faces, irg::cell_window{0, 0, 48, 48},
                                [&](newell_step s, std::uint32_t, std::uint32_t) { ++seen.steps[static_cast<int>(s)]; });

@@ -12,7 +12,7 @@ constexpr std::pair<std::uint32_t, std::int64_t> seen_in_parts(float depth) {
   const std::vector<irg::screen_face> faces{
       irg::make_screen_face(a, b, c, 4), irg::make_screen_face(a, c, d, 4),
       irg::make_screen_face({{0, 0}, depth}, {{5000, 0}, depth}, {{0, 5000}, depth}, 7)};
-  irg::image<std::uint32_t> ids(8, 8, irg::no_face);
+  irg::image<std::uint32_t> ids(8, 8, irg::no_index);
   irg::draw_counts counts;
   irg::painter_once<>{}(faces, irg::cell_window{0, 0, 8, 8}, ids, counts);
   return {ids(1, 6), counts.tested};
@@ -32,7 +32,7 @@ TEST_CASE("painter_once: of parts that lie on each other the nearest counts") {
   };
   for (const auto& [first, second] : {std::pair{0.5f, 0.9f}, std::pair{0.9f, 0.5f}}) {
     const std::vector<irg::screen_face> faces{sheet(first, 4), sheet(second, 4), sheet(0.75f, 7)};
-    irg::image<std::uint32_t> ids(8, 8, irg::no_face);
+    irg::image<std::uint32_t> ids(8, 8, irg::no_index);
     irg::draw_counts counts;
     irg::painter_once<>{}(faces, irg::cell_window{0, 0, 8, 8}, ids, counts);
     CHECK(ids(1, 6) == 4);

@@ -10,7 +10,7 @@ TEST_CASE("painter_by_centroid: right where depths do not overlap, wrong where t
                                  number);
   };
   constexpr auto drawn = [](const std::vector<irg::screen_face>& faces, int x) {
-    irg::image<std::uint32_t> ids(16, 16, irg::no_face);
+    irg::image<std::uint32_t> ids(16, 16, irg::no_index);
     irg::draw_counts counts;
     irg::painter_by_centroid_rounded<>{}(faces, irg::cell_window{0, 0, 16, 16}, ids, counts);
     return ids(x, 0);

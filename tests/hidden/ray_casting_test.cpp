@@ -21,13 +21,13 @@ constexpr irg::screen_face face(int x, int y, int size, float depth, std::uint32
 TEST_CASE("ray_casting: the nearest, of equally near ones the lowest number, nothing else") {
   constexpr auto run = [] {
     const std::vector<irg::screen_face> faces{face(0, 0, 8, 0.25f, 5), face(0, 0, 4, 0.5f, 7), face(1, 0, 4, 0.5f, 6)};
-    irg::image<std::uint32_t> ids(8, 8, irg::no_face);
+    irg::image<std::uint32_t> ids(8, 8, irg::no_index);
     irg::draw_counts counts;
     irg::ray_casting<>{}(faces, irg::cell_window{0, 0, 8, 8}, ids, counts);
-    irg::image<std::uint32_t> other(8, 8, irg::no_face);
+    irg::image<std::uint32_t> other(8, 8, irg::no_index);
     irg::draw_counts ignored;
     irg::ray_casting<irg::nearer_is_less>{}(faces, irg::cell_window{0, 0, 8, 8}, other, ignored);
-    return ids(0, 0) == 7 && ids(1, 0) == 6 && ids(3, 0) == 6 && ids(4, 0) == 5 && ids(7, 7) == irg::no_face &&
+    return ids(0, 0) == 7 && ids(1, 0) == 6 && ids(3, 0) == 6 && ids(4, 0) == 5 && ids(7, 7) == irg::no_index &&
            other(0, 0) == 5 && counts.ties > 0 && counts.tested > counts.ties;
   };
   CHECK_BOTH(run());
@@ -77,7 +77,7 @@ TEST_CASE(
       const bool is_lower = f.number < place->second->number, is_last = irg::depth_sense<Order> == 0;
       if (!is_new && is_lower != is_last) place->second = &f;
     }
-    irg::image<std::uint32_t> ids(size, size, irg::no_face);
+    irg::image<std::uint32_t> ids(size, size, irg::no_index);
     irg::draw_counts counts;
     irg::ray_casting<Order>{}(faces, irg::cell_window{0, 0, size, size}, ids, counts);
     long tested = 0;
@@ -90,7 +90,7 @@ TEST_CASE(
           ++tested;
           if (seen == nullptr || irg::is_nearer<Order>(*f, *seen, x, y)) seen = f;
         }
-        wrong += ids(x, y) != (seen == nullptr ? irg::no_face : seen->number);
+        wrong += ids(x, y) != (seen == nullptr ? irg::no_index : seen->number);
       }
     CHECK(wrong == 0);
     CHECK(static_cast<long>(counts.tested) == tested);

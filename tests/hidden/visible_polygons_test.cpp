@@ -46,7 +46,7 @@ constexpr visible_polygon_map seen(const std::vector<screen_face>& faces) {
 
 TEST_CASE("visible_polygons: nothing, one face, a hole, faces through each other, faces in one plane") {
   CHECK_BOTH(seen({}).rings.size() == 1);
-  CHECK_BOTH(double_area_of(seen({}), irg::no_face) == 512);
+  CHECK_BOTH(double_area_of(seen({}), irg::no_index) == 512);
   CHECK_BOTH(irg::visible_polygons(std::vector<screen_face>{}, {3, 3, 3, 9}).rings.empty());
   CHECK_BOTH(seen({face(at(1, 1, 1), at(2, 2, 1), at(5, 5, 1), 0)}).rings.size() == 1);  // seen edge on
   // A face all inside: a ring of its own and a hole in the background.
@@ -89,7 +89,7 @@ std::uint32_t number_at(const visible_polygon_map& map, double x, double y, bool
     if (winding != 0) windings[number] = winding;
   }
   well = windings.size() == 1 && windings.begin()->second == 1;
-  return windings.empty() ? irg::no_face : windings.begin()->first;
+  return windings.empty() ? irg::no_index : windings.begin()->first;
 }
 
 TEST_CASE("visible_polygons: every pixel's centre lies in the region of the face that the picture shows there") {
@@ -159,7 +159,7 @@ TEST_CASE("visible_polygons: depths of all sizes; neither the order of the faces
       for (int x = 0; x < 16; ++x) {
         bool close = false, well = false;
         const std::uint32_t number = number_at(map, x + 0.5, y + 0.5, close, well);
-        if (!close && (!well || number != irg::picture_face_at(faces, x, y))) ++wrong;
+        if (!close && (!well || number != irg::picture_face_at(faces, x, y).value_or(irg::no_index))) ++wrong;
       }
     std::reverse(faces.begin(), faces.end());
     std::swap(faces[3], faces[8]);

@@ -19,13 +19,13 @@ constexpr std::vector<irg::screen_face> square(float depth, std::uint32_t number
 
 TEST_CASE("warnock: an empty scene and a face that surrounds the window end at once") {
   constexpr auto windows = [](const std::vector<irg::screen_face>& faces) {
-    irg::image<std::uint32_t> ids(16, 16, irg::no_face);
+    irg::image<std::uint32_t> ids(16, 16, irg::no_index);
     const auto counts = irg::draw_warnock(ids, faces, cell_window{0, 0, 16, 16});
     std::int64_t n = 0;
     for (const std::int64_t w : counts.windows) n += w;
     return std::pair{n, ids(15, 15)};
   };
-  CHECK_BOTH(windows({}) == std::pair{std::int64_t{1}, irg::no_face});
+  CHECK_BOTH(windows({}) == std::pair{std::int64_t{1}, irg::no_index});
   CHECK_BOTH(windows(square(0.5f, 7)) == std::pair{std::int64_t{1}, 7u});
   // A thousand faces behind it change nothing.
   std::vector<irg::screen_face> faces = square(0.75f, 7);
@@ -39,7 +39,7 @@ TEST_CASE("warnock: an empty scene and a face that surrounds the window end at o
 TEST_CASE("warnock: windows partition the picture, and end in the classical cases alone") {
   test::face_scene_maker make(12, 64);
   const auto faces = make(test::face_scene::any, 90);
-  irg::image<std::uint32_t> ids(61, 47, irg::no_face), times(61, 47, 0u);
+  irg::image<std::uint32_t> ids(61, 47, irg::no_index), times(61, 47, 0u);
   int largest_pixel = 0;
   const auto counts =
       irg::draw_warnock(ids, faces, cell_window{0, 0, 61, 47}, [&](const cell_window& w, warnock_case c) {
@@ -62,12 +62,12 @@ TEST_CASE("warnock: windows of one row, one column, one pixel and none; an edge 
   const auto want = test::exact_ids(faces, 16, 16);
   for (const cell_window w :
        {cell_window{0, 3, 16, 4}, cell_window{5, 0, 6, 16}, cell_window{7, 7, 8, 8}, cell_window{4, 4, 4, 9}}) {
-    test::id_image ids(16, 16, irg::no_face);
+    test::id_image ids(16, 16, irg::no_index);
     irg::draw_warnock(ids, faces, w);
     for (int y = 0; y < 16; ++y)
       for (int x = 0; x < 16; ++x) {
         const bool within = x >= w.x_first && x < w.x_last && y >= w.y_first && y < w.y_last;
-        CHECK(ids(x, y) == (within ? want(x, y) : irg::no_face));
+        CHECK(ids(x, y) == (within ? want(x, y) : irg::no_index));
       }
   }
   const std::vector<irg::screen_face> halves{

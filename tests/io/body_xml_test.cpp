@@ -68,8 +68,7 @@ TEST_CASE("body xml: a triangle by hand, at compile time, too") {
     return std::string_view(b.name) == "a & b!" &&
            b.shape.positions == std::vector<irg::point<float, 3>>{{0, 0, 0}, {1, 0, 0}, {0, 1, -0.5f}} &&
            b.edges == std::vector<irg::stored_edge>{{0, 2}} && b.shape.face_count() == 2 && b.surface_of_face[0] == 0 &&
-           b.surface_of_face[1] == irg::stored_body<float>::no_surface &&
-           b.surfaces[0].colour == rgba8{255, 128, 0, 255} &&
+           b.surface_of_face[1] == irg::no_index && b.surfaces[0].colour == rgba8{255, 128, 0, 255} &&
            b.surfaces[0].reflection.diffuse == irg::rgb<float>{1, 0.5f, 0.25f} &&
            b.surfaces[0].reflection.ambient == irg::rgb<float>{1, 1, 1} && b.surfaces[0].reflection.shininess == 40;
   }());
@@ -274,7 +273,7 @@ TEST_CASE_TEMPLATE("body xml: what was written reads as the same bodies", T, flo
       }
       for (std::size_t f = 0; f < b.shape.face_count(); ++f)
         b.surface_of_face.push_back(r.integer(0, 3) == 0 || surfaces == 0
-                                        ? irg::stored_body<T>::no_surface
+                                        ? irg::no_index
                                         : static_cast<std::uint32_t>(r.integer(0, surfaces - 1)));
       bodies.push_back(b);
     }

@@ -92,7 +92,7 @@ constexpr bool fails_at(text s, std::size_t line, std::size_t column) {
   return !r && r.error().line == line && r.error().column == column;
 }
 
-constexpr std::uint32_t none = irg::mesh_corner::none;
+constexpr std::uint32_t none = irg::no_index;
 
 }  // namespace
 
@@ -100,7 +100,7 @@ TEST_CASE("obj: a triangle by hand, at compile time, too") {
   CHECK_BOTH([] {
     const auto r = read_obj<float>(
         "# a comment\nv 0.5 -1 2e1\nv 1 0 0\nv 0 1 0\nvt 0.25 0.75\nvn 0 0 1\nf 1/1/1 2//1 3/1 4\nv 7 8 9\n");
-    const std::uint32_t nothing = irg::mesh_corner::none;
+    const std::uint32_t nothing = irg::no_index;
     return r && r->positions.size() == 4 && r->positions[0] == irg::point<float, 3>{0.5f, -1, 20} &&
            r->positions[3] == irg::point<float, 3>{7, 8, 9} && r->normals.size() == 1 &&
            r->normals[0] == irg::vec<float, 3>{0, 0, 1} && r->texcoords[0] == irg::vec<float, 2>{0.25f, 0.75f} &&

@@ -25,7 +25,7 @@ TEST_CASE("obj_write: the text of a triangle, at compile time, too") {
     m.positions = {{0, 0.5f, 1e-30f}, {1, 0, 0}, {-1, 2, 3}};
     m.texcoords = {{0.25f, 1}};
     m.normals = {{0, 0, 1}};
-    m.corners = {{0, 0, 0}, {1, irg::mesh_corner::none, 0}, {2, 0}, {0}, {1}, {2}};
+    m.corners = {{0, 0, 0}, {1, irg::no_index, 0}, {2, 0}, {0}, {1}, {2}};
     m.face_starts = {0, 3, 6};
     m.parts = {{"a b", "", "m", 0, 1}, {"a b", "g", "", 1, 1}};
     constexpr std::string_view expected =
@@ -49,8 +49,8 @@ TEST_CASE_TEMPLATE("obj_write: what was written reads as the same mesh", T, floa
     if (!m.normals.empty())
       for (irg::mesh_corner& c : m.corners) {
         const auto last = static_cast<std::int64_t>(m.normals.size()) - 1;
-        c.normal = r.integer(0, 2) == 0 ? irg::mesh_corner::none : static_cast<std::uint32_t>(r.integer(0, last));
-        c.texcoord = r.integer(0, 2) == 0 ? irg::mesh_corner::none : static_cast<std::uint32_t>(r.integer(0, last));
+        c.normal = r.integer(0, 2) == 0 ? irg::no_index : static_cast<std::uint32_t>(r.integer(0, last));
+        c.texcoord = r.integer(0, 2) == 0 ? irg::no_index : static_cast<std::uint32_t>(r.integer(0, last));
       }
     for (std::size_t f = 0; trial % 2 == 1 && f < m.face_count();) {
       irg::mesh_part p{names[r.integer(0, 8)], names[r.integer(0, 8)], names[r.integer(0, 8)], f, 0};

@@ -119,8 +119,8 @@ irg::mesh<double> lines_body(std::string_view word, test::random& r) {
     m.texcoords[v] = {double(r.integer(0, 1)), 0.5};
   }
   for (irg::mesh_corner& c : m.corners) {
-    if (word.find('N') == word.npos) c.normal = irg::mesh_corner::none;
-    if (word.find("ST") == word.npos) c.texcoord = irg::mesh_corner::none;
+    if (word.find('N') == word.npos) c.normal = irg::no_index;
+    if (word.find("ST") == word.npos) c.texcoord = irg::no_index;
   }
   if (word.find('N') == word.npos) m.normals.clear();
   if (word.find("ST") == word.npos) m.texcoords.clear();

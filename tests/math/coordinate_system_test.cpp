@@ -55,7 +55,7 @@ TEST_CASE("coordinate_system: all 48, from each to each") {
     left += handedness_of(from) == handedness::left ? 1 : 0;
     return all_systems([&](const coordinate_system& to) {
       const mat<int, 3, 3> there = conversion<int>(from, to), back = conversion<int>(to, from);
-      CHECK((back * there == irg::identity<int, 3>() && back == transpose(there)));
+      CHECK((back * there == irg::identity_matrix<int, 3>() && back == transpose(there)));
       CHECK((convert(v, from, to) == there * v && convert(convert(v, from, to), to, from) == v));
       CHECK(determinant(there) == (handedness_of(from) == handedness_of(to) ? 1 : -1));
       // By way of a third system is the same.
@@ -65,5 +65,5 @@ TEST_CASE("coordinate_system: all 48, from each to each") {
   });
   CHECK((count == 48 && left == 24));
   static_assert(
-      all_systems([](const coordinate_system& s) { return conversion<int>(s, s) == irg::identity<int, 3>(); }));
+      all_systems([](const coordinate_system& s) { return conversion<int>(s, s) == irg::identity_matrix<int, 3>(); }));
 }

@@ -66,6 +66,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+static_assert(irg::parse_decimal<double>("0.5x") && !irg::parse_decimal<double>("x"));
 static_assert(irg::parse_decimal<double>("0.5x").value == 0.5 && *irg::parse_decimal<float>("0.5x").end == 'x');
 
 TEST_CASE("decimal: plain numbers") {

@@ -97,12 +97,12 @@ TEST_CASE("inverse_exact: by hand") {
 TEST_CASE("inverse_exact: a matrix of integers and determinant 1 has an inverse of integers, found without error") {
   test::random r(1);
   for (int i = 0; i < 200; ++i) {
-    mat<double, 4, 4> a = irg::identity<double, 4>(), undo = a;
+    mat<double, 4, 4> a = irg::identity_matrix<double, 4>(), undo = a;
     for (int k = 0; k < 12; ++k) {
       const int from = static_cast<int>(r.integer(0, 3)), to = static_cast<int>(r.integer(0, 3));
       if (from == to) continue;
       const auto factor = static_cast<double>(r.integer(-9, 9));
-      mat<double, 4, 4> shear = irg::identity<double, 4>(), back = shear;
+      mat<double, 4, 4> shear = irg::identity_matrix<double, 4>(), back = shear;
       shear(to, from) = factor;
       back(to, from) = -factor;
       a = shear * a;
@@ -122,7 +122,7 @@ TEST_CASE_TEMPLATE("inverse_exact: ties go to even, subnormal ones too", T, doub
   const int count = test::trials(10'000);
   int wrong = 0, ties = 0;
   for (int i = 0; i < count; ++i) {
-    mat<T, 3, 3> a = irg::identity<T, 3>();
+    mat<T, 3, 3> a = irg::identity_matrix<T, 3>();
     const bool is_subnormal = i % 2 != 0;
     const auto factor = [&] {  // the product has one bit more than a number, or one less or two more
       const std::int64_t size = std::int64_t{1} << (is_subnormal ? r.integer(1, digits / 2 - 1) : (digits + 1) / 2);

@@ -13,7 +13,7 @@
 #include "support/random.hpp"
 #include "support/rational.hpp"
 
-using irg::identity;
+using irg::identity_matrix;
 using irg::inverse;
 using irg::inverse_accurate;
 using irg::inverse_exact;
@@ -29,11 +29,11 @@ using mat4 = mat<double, 4, 4>;
 
 // An orthogonal matrix, up to rounding.
 [[maybe_unused]] mat4 turned(test::random& r) {
-  mat4 a = identity<double, 4>();
+  mat4 a = identity_matrix<double, 4>();
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j) {
       const double angle = 6.3 * r.unit(), c = std::cos(angle), s = std::sin(angle);
-      mat4 turn = identity<double, 4>();
+      mat4 turn = identity_matrix<double, 4>();
       turn(i, i) = turn(j, j) = c;
       turn(i, j) = -s;
       turn(j, i) = s;
@@ -130,14 +130,14 @@ TEST_CASE("inverse: one result in every life") {
   CHECK(*inverse(single * static_cast<float>(one)) == narrow);
   constexpr auto fast = inverse_fast(motion);
   CHECK(inverse_fast(motion * one) == fast);
-  constexpr mat4 tiny = irg::identity<double, 4>() * 1e-80;  // a determinant that 1 is not divided by
-  CHECK_BOTH(*inverse(tiny) == irg::identity<double, 4>() * (1 / 1e-80));
+  constexpr mat4 tiny = irg::identity_matrix<double, 4>() * 1e-80;  // a determinant that 1 is not divided by
+  CHECK_BOTH(*inverse(tiny) == irg::identity_matrix<double, 4>() * (1 / 1e-80));
 }
 
 TEST_CASE("inverse: affine stays affine, for points as columns and as rows") {
   test::random r(8);
   for (int i = 0; i < 300; ++i) {
-    mat4 a = irg::identity<double, 4>();
+    mat4 a = irg::identity_matrix<double, 4>();
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 4; ++x) a(y, x) = r.unit() - 0.5;
     const auto column = inverse(a), row = inverse(transpose(a));
@@ -157,7 +157,7 @@ TEST_CASE("inverse: rationals and floats agree on small integers") {
     const auto undo = inverse(a);
     CHECK(undo.has_value() == (determinant(a) != rational(0)));
     singular += undo ? 0 : 1;
-    if (undo) CHECK((*undo * a == identity<rational, 4>() && a * *undo == identity<rational, 4>()));
+    if (undo) CHECK((*undo * a == identity_matrix<rational, 4>() && a * *undo == identity_matrix<rational, 4>()));
     // The same matrix in floats: absent exactly when singular.
     const auto b =
         irg::generate_mat<float, 4, 4>([&](int y, int x) { return static_cast<float>(static_cast<double>(a(y, x))); });
@@ -222,7 +222,7 @@ TEST_CASE("inverse: degenerate and hostile") {
   for (const double size : {huge, -0x1p1023, 0x1p-1024}) {
     const auto x = inverse(mat<double, 2, 2>{{{size, size}, {-size, size}}});
     CHECK((x && *x == mat<double, 2, 2>{{{0.5 / size, -0.5 / size}, {0.5 / size, 0.5 / size}}}));
-    mat<double, 5, 5> wider = identity<double, 5>();
+    mat<double, 5, 5> wider = identity_matrix<double, 5>();
     wider(0, 0) = wider(0, 4) = wider(4, 4) = size, wider(4, 0) = -size;
     const auto y = inverse(wider);
     CHECK((y && (*y)(0, 0) == 0.5 / size && (*y)(0, 4) == -0.5 / size && (*y)(4, 0) == 0.5 / size && (*y)(2, 2) == 1));

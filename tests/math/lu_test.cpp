@@ -27,7 +27,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN(), inf = std::num
 // L*U, its rows in the matrix's order.
 template <class T, int N>
 constexpr mat<T, N, N> product_of(const irg::lu_factors<T, N>& f) {
-  mat<T, N, N> lower = irg::identity<T, N>(), upper{}, a{};
+  mat<T, N, N> lower = irg::identity_matrix<T, N>(), upper{}, a{};
   for (int r = 0; r < N; ++r)
     for (int c = 0; c < N; ++c) (c < r ? lower : upper)(r, c) = f.lu(r, c);
   const mat<T, N, N> p = lower * upper;
@@ -70,7 +70,7 @@ TEST_CASE("lu: degenerate and hostile") {
   CHECK_BOTH((!lu_solve_refined(M{{{1, 2}, {2, 4}}}, V{1, 2}) && !lu_solve_refined(M{{{1, 0}, {0, 0}}}, V{1, 0})));
   CHECK_BOTH(*lu_solve_refined(M{{{0, 1}, {1, 0}}}, V{3, 4}) == V{4, 3});
   CHECK_BOTH(*lu_solve_refined(M{{{1, 2}, {3, 4}}}, V{}) == V{});
-  CHECK_BOTH(reciprocal_condition(irg::identity<float, 3>()) == 1);
+  CHECK_BOTH(reciprocal_condition(irg::identity_matrix<float, 3>()) == 1);
   // Sizes at the ends of the range; a solution beyond it.
   CHECK_BOTH(*lu_solve_refined(M{{{0x1p-1074, 0}, {0, 0x1p1023}}}, V{0x1p-1074, 0x1p1023}) == V{1, 1});
   CHECK_BOTH(*lu_solve_refined(M{{{3, 1}, {0x1p-1060, 0x1p-1060}}}, V{5, 0x1p-1059}) == V{1.5, 0.5});

@@ -164,5 +164,5 @@ TEST_CASE("matrix lanes: by hand") {
   constexpr mat<float, 4, 4> m{{{0, 2, 0, 1}, {1, 0, 0, 2}, {0, 0, 4, 3}, {0, 0, 0, 1}}};
   constexpr mat<float, 4, 4> undo{{{0, 1, 0, -2}, {.5f, 0, 0, -.5f}, {0, 0, .25f, -.75f}, {0, 0, 0, 1}}};
   CHECK_BOTH(inverse_fast(m) == undo);
-  CHECK_BOTH(m * undo == irg::identity<float, 4>());
+  CHECK_BOTH(m * undo == irg::identity_matrix<float, 4>());
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 #include "support/check_both.hpp"
@@ -11,7 +12,7 @@
 
 using irg::determinant;
 using irg::hpoint;
-using irg::identity;
+using irg::identity_matrix;
 using irg::mat;
 using irg::point;
 using irg::transpose;
@@ -74,7 +75,7 @@ mat<rational, N, N> exact(const mat<T, N, N>& a) {
 TEST_CASE("mat: type facts") {
   static_assert(std::is_standard_layout_v<mat4<float>> && std::is_trivially_copyable_v<mat4<float>>);
   static_assert(mat<int, 2, 2>{{1, 2}, {3, 4}} == mat<int, 2, 2>{{{1, 2}, {3, 4}}});
-  static_assert(mat<int, 3, 3>{{1}, {0, 1}, {0, 0, 1}} == irg::identity<int, 3>());
+  static_assert(mat<int, 3, 3>{{1}, {0, 1}, {0, 0, 1}} == irg::identity_matrix<int, 3>());
   static_assert(mat<int, 4, 1>{{1}, {2}, {3}, {4}} == mat<int, 4, 1>{{{1}, {2}, {3}, {4}}});
   static_assert(mat<int, 1, 2>{{1, 2}}(0, 1) == 2 && mat<int, 1, 1>{{{5}}}(0, 0) == 5);
   static_assert(mat<int, 5, 2>{{{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}}}(4, 1) == 10);
@@ -89,6 +90,12 @@ TEST_CASE("mat: type facts") {
   static_assert(std::same_as<decltype(mat3<float>{} * hpoint<float, 2>{}), hpoint<float, 2>>);
 }
 
+TEST_CASE("mat: written row by row") {
+  std::ostringstream out;
+  out << mat<int, 2, 3>{{1, 2, 3}, {4, 5, 6}};
+  CHECK(out.str() == "((1, 2, 3), (4, 5, 6))");
+}
+
 TEST_CASE("mat: by hand") {
   constexpr mat<int, 2, 3> a{{{1, 2, 3}, {4, 5, 6}}};
   constexpr mat<int, 3, 2> b{{{7, 8}, {9, 10}, {11, 12}}};
@@ -97,7 +104,7 @@ TEST_CASE("mat: by hand") {
   CHECK_BOTH(transpose(a) == mat<int, 3, 2>{{{1, 4}, {2, 5}, {3, 6}}});
   CHECK_BOTH((a + a == a * 2 && 2 * a == a * 2 && a - a == mat<int, 2, 3>{} && -a == a * -1));
   CHECK_BOTH(a * vec<int, 3>{1, 0, -1} == vec<int, 2>{-2, -2});
-  CHECK_BOTH(identity<int, 4>() * hpoint<int, 3>{1, 2, 3, 4} == hpoint<int, 3>{1, 2, 3, 4});
+  CHECK_BOTH(identity_matrix<int, 4>() * hpoint<int, 3>{1, 2, 3, 4} == hpoint<int, 3>{1, 2, 3, 4});
 
   constexpr mat4<int> m{{{1, 0, 0, 5}, {0, 2, 0, 6}, {0, 0, 3, 7}, {0, 0, 0, 1}}};
   CHECK_BOTH(m * point<int, 3>{1, 1, 1} == hpoint<int, 3>{6, 8, 10, 1});
@@ -141,11 +148,11 @@ TEST_CASE("mat: determinants agree with the sum over all permutations") {
     CHECK(determinant(a4) == leibniz(a4));
     CHECK(determinant(a5) == leibniz(a5));
     CHECK(determinant(transpose(a4)) == determinant(a4));
-    CHECK(transpose(cofactor_matrix(a4)) * a4 == identity<std::int64_t, 4>() * determinant(a4));
-    CHECK(transpose(cofactor_matrix(a3)) * a3 == identity<std::int64_t, 3>() * determinant(a3));
-    CHECK(transpose(cofactor_matrix(a2)) * a2 == identity<std::int64_t, 2>() * determinant(a2));
+    CHECK(transpose(cofactor_matrix(a4)) * a4 == identity_matrix<std::int64_t, 4>() * determinant(a4));
+    CHECK(transpose(cofactor_matrix(a3)) * a3 == identity_matrix<std::int64_t, 3>() * determinant(a3));
+    CHECK(transpose(cofactor_matrix(a2)) * a2 == identity_matrix<std::int64_t, 2>() * determinant(a2));
   }
-  CHECK(determinant(identity<double, 7>() * 2.0) == 128);
+  CHECK(determinant(identity_matrix<double, 7>() * 2.0) == 128);
   CHECK(determinant(mat<double, 5, 5>{}) == 0);
 }
 

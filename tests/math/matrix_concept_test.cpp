@@ -65,7 +65,7 @@ TEST_CASE("matrix_concept: Eigen's of fixed size") {
   CHECK(irg::to_mat(m) == counted);
   CHECK(irg::from_mat<Eigen::Matrix<double, 2, 3>>(counted) == m);
   CHECK(irg::to_mat(Eigen::Matrix<float, 2, 2, Eigen::RowMajor>(Eigen::Matrix2f::Identity())) ==
-        irg::identity<float, 2>());
+        irg::identity_matrix<float, 2>());
 }
 #endif
 

@@ -41,7 +41,7 @@ TEST_CASE("matrix: by hand") {
   CHECK_BOTH(is(add(of(A), of(A)), multiply(of(A), 2)));
   CHECK_BOTH(is(subtract(of(A), of(A)), matrix<int>(2, 3)));
   CHECK_BOTH(transpose(of(A)) == of(transpose(A)));
-  CHECK_BOTH(is(multiply(irg::identity<int>(2), of(A)), of(A)));
+  CHECK_BOTH(is(multiply(irg::identity_matrix<int>(2), of(A)), of(A)));
   // Scalars: whole numbers and numbers of the matrix's own type.
   constexpr mat<double, 1, 2> D{{{1.5, -2}}};
   CHECK_BOTH((multiply(of(D), 2) == of(D * 2.0) && multiply(of(D), 0.5) == of(D * 0.5)));

@@ -18,8 +18,8 @@
 using irg::inverse_accurate;
 using irg::lu_solve_refined;
 using irg::mat;
-using irg::solvability;
 using irg::solve_gauss;
+using irg::system_status;
 using irg::vec;
 
 TEST_CASE("mixed systems: a negligible entry hides no good column") {
@@ -27,7 +27,7 @@ TEST_CASE("mixed systems: a negligible entry hides no good column") {
   CHECK_BOTH((solve_gauss(hidden).x == vec<double, 3>{1.5, -2.5, 0.5}));
   constexpr mat<double, 3, 4> refused{{{0.7, 1.1, 0.3, 1}, {1.3, 1e-15, 1.7, 2}, {0.9, 1e-300, 2.1, 3}}};  // 14
   constexpr mat<double, 3, 3> matrix{{{0.7, 1.1, 0.3}, {1.3, 1e-15, 1.7}, {0.9, 1e-300, 2.1}}};
-  CHECK_BOTH(solve_gauss(refused).kind == solvability::unique);
+  CHECK_BOTH(solve_gauss(refused).status == system_status::ok);
   CHECK_BOTH(*lu_solve_refined(matrix, vec<double, 3>{1, 2, 3}) == irg::solve_exact(refused).x);
   CHECK_BOTH(inverse_accurate(matrix).has_value());
   // A component that is small only as the columns are: in units of its own it is as good as the other one.
@@ -198,10 +198,10 @@ TEST_CASE_TEMPLATE("mixed systems: singular ones are told apart", T, double, flo
       const auto left = irg::generate_mat<T, N, N>([&](int y, int x) { return a(y, x); });
       const auto right = irg::generate_coordinates<vec<T, N>>([&](int y) { return a(y, N); });
       const auto exact = irg::solve_exact(a), got = solve_gauss(a);
-      wrong +=
-          got.kind != exact.kind || got.rank != exact.rank || lu_solve_refined(left, right) || inverse_accurate(left);
+      wrong += got.status != exact.status || got.rank != exact.rank || lu_solve_refined(left, right) ||
+               inverse_accurate(left);
       singular += exact ? 0 : 1;
-      inconsistent += exact.kind == solvability::inconsistent ? 1 : 0;
+      inconsistent += exact.status == system_status::inconsistent ? 1 : 0;
     }
     CHECK(wrong == 0);
     CHECK((singular == test::trials(2000) && inconsistent > singular / 10));
@@ -216,11 +216,11 @@ TEST_CASE_TEMPLATE("mixed systems: singular ones are told apart", T, double, flo
 // surely as what has none, whatever powers of two rows and columns are multiplied by.
 TEST_CASE("mixed systems: tenths are told apart as rounding has it") {
   // Of the issue: four zeros or more.
-  CHECK_BOTH(solve_gauss(mat<double, 3, 4>{{{.1, 0, 0, .7}, {0, 1, 0, 1}, {.3, 0, 0, 2.1}}}).kind ==
-             solvability::dependent);
+  CHECK_BOTH(solve_gauss(mat<double, 3, 4>{{{.1, 0, 0, .7}, {0, 1, 0, 1}, {.3, 0, 0, 2.1}}}).status ==
+             system_status::dependent);
   CHECK_BOTH(solve_gauss(mat<double, 3, 4>{{{.7, 0, .4, -1.5}, {0, 0, 0, 0}, {2.1, 0, 1.2, -4.5}}}).rank == 1);
-  CHECK_BOTH(solve_gauss(mat<double, 3, 4>{{{.1, 0, 0, .7}, {0, 1, 0, 1}, {.3, 0, 0, 2.2}}}).kind ==
-             solvability::inconsistent);
+  CHECK_BOTH(solve_gauss(mat<double, 3, 4>{{{.1, 0, 0, .7}, {0, 1, 0, 1}, {.3, 0, 0, 2.2}}}).status ==
+             system_status::inconsistent);
   CHECK_BOTH(solve_gauss(mat<double, 5, 6>{{{.1, 0, 0, 0, 0, .7}, {0, 1, 0, 0, 0, 1}, {.3, 0, 0, 0, 0, 2.1}}}).rank ==
              2);
 }
@@ -300,9 +300,9 @@ TEST_CASE("mixed systems: integers times 0.1 with zeros anywhere, against ranks 
     for (int i = 0; i < count; ++i) {
       const auto whole = integer_system<N>(r);
       const int rank = rank_of<N>(whole, N);
-      const solvability kind = rank == N                         ? solvability::unique
-                               : rank_of<N>(whole, N + 1) > rank ? solvability::inconsistent
-                                                                 : solvability::dependent;
+      const system_status kind = rank == N                         ? system_status::ok
+                                 : rank_of<N>(whole, N + 1) > rank ? system_status::inconsistent
+                                                                   : system_status::dependent;
       auto a = irg::generate_mat<double, N, N + 1>([&](int y, int x) {
         const auto entry = static_cast<double>(whole(y, x));
         return i % 3 == 0 ? entry * 0.1 : i % 3 == 1 ? entry / 10 : entry / 7;
@@ -314,7 +314,7 @@ TEST_CASE("mixed systems: integers times 0.1 with zeros anywhere, against ranks 
         for (int y = 0; y < N; ++y) a(y, k) = std::ldexp(a(y, k), column);
       }
       const auto got = solve_gauss(a);
-      wrong += got.kind != kind || got.rank != rank ? 1 : 0;
+      wrong += got.status != kind || got.rank != rank ? 1 : 0;
       const auto square = irg::generate_mat<double, N, N>([&](int y, int x) { return a(y, x); });
       const auto right = irg::generate_coordinates<vec<double, N>>([&](int y) { return a(y, N); });
       if (rank < N) wrong += lu_solve_refined(square, right) || inverse_accurate(square) ? 1 : 0;
@@ -323,12 +323,12 @@ TEST_CASE("mixed systems: integers times 0.1 with zeros anywhere, against ranks 
         for (int y = 0; y < N; ++y)
           for (int x = 0; x <= N; ++x) (x < N ? left(y, x) : b(y, 0)) = a(y, x);
         const auto dynamic = solve(left, b);
-        wrong += static_cast<bool>(dynamic) != (kind == solvability::unique) ||
-                 (!dynamic && dynamic.error() != (kind == solvability::dependent ? irg::matrix_error::dependent
-                                                                                 : irg::matrix_error::inconsistent));
+        wrong += static_cast<bool>(dynamic) != (kind == system_status::ok) ||
+                 (!dynamic && dynamic.error() != (kind == system_status::dependent ? irg::matrix_error::dependent
+                                                                                   : irg::matrix_error::inconsistent));
       }
       singular += rank < N ? 1 : 0;
-      inconsistent += kind == solvability::inconsistent ? 1 : 0;
+      inconsistent += kind == system_status::inconsistent ? 1 : 0;
     }
     CHECK_MESSAGE(wrong == 0, N << " unknowns: " << wrong << " of " << count);
     CHECK((singular > count / 3 && singular < count * 9 / 10 && inconsistent > count / 10));

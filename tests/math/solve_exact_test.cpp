@@ -14,8 +14,8 @@
 #include "support/random.hpp"
 
 using irg::mat;
-using irg::solvability;
 using irg::solve_exact;
+using irg::system_status;
 using irg::vec;
 
 namespace {
@@ -28,8 +28,8 @@ constexpr double huge = std::numeric_limits<double>::max(), tiny = 0x1p-1074;
 TEST_CASE("solve_exact: the course's exercise 2, and Hank's values") {
   CHECK_BOTH(solve_exact(rows3{{{1, 1, 1, 6}, {-1, -2, 1, -2}, {2, 1, 3, 13}}}).x == vec<double, 3>{1, 2, 3});
   constexpr auto dependent = solve_exact(rows3{{{1, 1, 1, 6}, {2, 2, 2, 12}, {1, -1, 0, 0}}});
-  CHECK_BOTH((dependent.kind == solvability::dependent && dependent.rank == 2 && !dependent));
-  CHECK_BOTH(solve_exact(rows3{{{1, 1, 1, 6}, {2, 2, 2, 13}, {1, -1, 0, 0}}}).kind == solvability::inconsistent);
+  CHECK_BOTH((dependent.status == system_status::dependent && dependent.rank == 2 && !dependent));
+  CHECK_BOTH(solve_exact(rows3{{{1, 1, 1, 6}, {2, 2, 2, 13}, {1, -1, 0, 0}}}).status == system_status::inconsistent);
   CHECK_BOTH(solve_exact(rows3{{{2, 1, -1, 8}, {-3, -1, 2, -11}, {-2, 1, 2, -3}}}).x == vec<double, 3>{2, 3, -1});
   CHECK_BOTH(solve_exact(rows3{{{0, 2, 1, 7}, {1, 1, 1, 6}, {2, 0, -1, -1}}}).x == vec<double, 3>{1, 2, 3});
   CHECK_BOTH(solve_exact(mat<float, 3, 3>{{{4, -2, 1}, {-2, 4, -2}, {1, -2, 4}}}, vec<float, 3>{11, -16, 17}).x ==
@@ -40,19 +40,19 @@ TEST_CASE("solve_exact: the course's exercise 2, and Hank's values") {
 TEST_CASE("solve_exact: decided for the numbers as they are") {
   // 0.1 + 0.2 is not 0.3 in doubles: the third row is not the sum of the other two.
   constexpr rows3 sum{{{0.1, 1, 2, 1}, {0.2, 3, 4, 2}, {0.3, 4, 6, 3}}};
-  CHECK_BOTH(solve_exact(sum).kind == solvability::unique);
-  CHECK_BOTH(solve_gauss(sum).kind == solvability::dependent);  // which rounding makes of it
+  CHECK_BOTH(solve_exact(sum).status == system_status::ok);
+  CHECK_BOTH(solve_gauss(sum).status == system_status::dependent);  // which rounding makes of it
   // 0.5 + 0.25 is 0.75.
-  CHECK_BOTH(solve_exact(rows3{{{0.5, 1, 2, 1}, {0.25, 3, 4, 2}, {0.75, 4, 6, 3}}}).kind == solvability::dependent);
-  CHECK_BOTH(solve_exact(rows3{{{0.5, 1, 2, 1}, {0.25, 3, 4, 2}, {0.75, 4, 6, 3 + 0x1p-51}}}).kind ==
-             solvability::inconsistent);
+  CHECK_BOTH(solve_exact(rows3{{{0.5, 1, 2, 1}, {0.25, 3, 4, 2}, {0.75, 4, 6, 3}}}).status == system_status::dependent);
+  CHECK_BOTH(solve_exact(rows3{{{0.5, 1, 2, 1}, {0.25, 3, 4, 2}, {0.75, 4, 6, 3 + 0x1p-51}}}).status ==
+             system_status::inconsistent);
   // Every rank.
-  CHECK_BOTH((solve_exact(rows3{}).kind == solvability::dependent && solve_exact(rows3{}).rank == 0));
-  CHECK_BOTH(solve_exact(rows3{{{0, 0, 0, 0}, {0, 0, 0, tiny}, {}}}).kind == solvability::inconsistent);
+  CHECK_BOTH((solve_exact(rows3{}).status == system_status::dependent && solve_exact(rows3{}).rank == 0));
+  CHECK_BOTH(solve_exact(rows3{{{0, 0, 0, 0}, {0, 0, 0, tiny}, {}}}).status == system_status::inconsistent);
   constexpr auto one_plane = solve_exact(rows3{{{1, 2, 3, 4}, {2, 4, 6, 8}, {-3, -6, -9, -12}}});
-  CHECK_BOTH((one_plane.kind == solvability::dependent && one_plane.rank == 1));
-  CHECK_BOTH(solve_exact(rows3{{{1, 2, 3, 4}, {2, 4, 6, 8}, {-3, -6, -9, 12}}}).kind == solvability::inconsistent);
-  CHECK_BOTH(solve_exact(rows3{{{1, 2, 3, 4}, {2, 4, 6, 9}, {1, 0, 0, 1}}}).kind == solvability::inconsistent);
+  CHECK_BOTH((one_plane.status == system_status::dependent && one_plane.rank == 1));
+  CHECK_BOTH(solve_exact(rows3{{{1, 2, 3, 4}, {2, 4, 6, 8}, {-3, -6, -9, 12}}}).status == system_status::inconsistent);
+  CHECK_BOTH(solve_exact(rows3{{{1, 2, 3, 4}, {2, 4, 6, 9}, {1, 0, 0, 1}}}).status == system_status::inconsistent);
 }
 
 TEST_CASE("solve_exact: the ends of the range") {
@@ -62,14 +62,14 @@ TEST_CASE("solve_exact: the ends of the range") {
   CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{huge, huge, huge}, {huge, -huge, huge}}}).x == vec<double, 2>{1, 0});
   CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{tiny, tiny, 0}, {tiny, -tiny, tiny}}}).x == vec<double, 2>{0.5, -0.5});
   CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{huge, tiny, huge}, {tiny, huge, tiny}}}).x == vec<double, 2>{1, 0});
-  CHECK_BOTH(solve_exact(mat<double, 1, 2>{{{tiny, 1}}}).kind == solvability::not_finite);
-  CHECK_BOTH(solve_exact(mat<double, 1, 2>{{{inf, 1}}}).kind == solvability::not_finite);
-  CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{1, 0, none}, {0, 1, 0}}}).kind == solvability::not_finite);
-  CHECK_BOTH(solve_exact(mat<float, 1, 2>{{{0x1p-100f, 0x1p100f}}}).kind == solvability::not_finite);
+  CHECK_BOTH(solve_exact(mat<double, 1, 2>{{{tiny, 1}}}).status == system_status::not_finite);
+  CHECK_BOTH(solve_exact(mat<double, 1, 2>{{{inf, 1}}}).status == system_status::not_finite);
+  CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{1, 0, none}, {0, 1, 0}}}).status == system_status::not_finite);
+  CHECK_BOTH(solve_exact(mat<float, 1, 2>{{{0x1p-100f, 0x1p100f}}}).status == system_status::not_finite);
   // Ties: half of the smallest number and one and a half of it; half a place beyond the largest, and a bit less.
   CHECK_BOTH(solve_exact(mat<double, 1, 2>{{{2, tiny}}}).x[0] == 0);
   CHECK_BOTH(solve_exact(mat<double, 1, 2>{{{2, 3 * tiny}}}).x[0] == 2 * tiny);
-  CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{1, -1, huge}, {0, 1, 0x1p970}}}).kind == solvability::not_finite);
+  CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{1, -1, huge}, {0, 1, 0x1p970}}}).status == system_status::not_finite);
   CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{1, -1, huge}, {0, 1, 0x1p970 - 0x1p917}}}).x[0] == huge);
   CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{1, -1, -0x1p53}, {0, 1, -1}}}).x[0] == -0x1p53);
   CHECK_BOTH(solve_exact(mat<double, 2, 3>{{{1, -1, 0x1p53 + 2}, {0, 1, 1}}}).x[0] == 0x1p53 + 4);
@@ -102,14 +102,14 @@ TEST_CASE("solve_exact: against rationals") {
     const auto got = solve_exact(a);
     const auto truth =
         solve_gauss(irg::generate_mat<big_rational, 3, 4>([&](int y, int x) { return big_rational(a(y, x)); }));
-    ++of_kind[static_cast<int>(got.kind)];
-    if (got.kind == solvability::not_finite) {
+    ++of_kind[static_cast<int>(got.status)];
+    if (got.status == system_status::not_finite) {
       bool is_large = false;
       for (int k = 0; k < 3; ++k) is_large = is_large || std::fabs(static_cast<double>(truth.x[k])) > huge / 2;
       CHECK(is_large);
       continue;
     }
-    CHECK((got.kind == truth.kind && got.rank == truth.rank));
+    CHECK((got.status == truth.status && got.rank == truth.rank));
     for (int k = 0; got && k < 3; ++k) wrong += got.x[k] == test::nearest<double>(truth.x[k]) ? 0 : 1;
   }
   MESSAGE("solve_exact: not the nearest ", wrong, "; unique ", of_kind[0], ", dependent ", of_kind[1],
@@ -127,10 +127,10 @@ TEST_CASE_TEMPLATE("solve_exact: ties go to even, also where subnormal numbers a
   const int count = test::trials(10'000);
   int wrong = 0, ties = 0, subnormal_ties = 0, too_large = 0;
   for (int i = 0; i < count; ++i) {
-    mat<T, 3, 3> a = irg::identity<T, 3>(), undo = a;
+    mat<T, 3, 3> a = irg::identity_matrix<T, 3>(), undo = a;
     for (int k = 0; k < 4; ++k) {
       const int from = static_cast<int>(r.integer(0, 2)), to = (from + 1 + k % 2) % 3;
-      mat<T, 3, 3> shear = irg::identity<T, 3>(), back = shear;
+      mat<T, 3, 3> shear = irg::identity_matrix<T, 3>(), back = shear;
       shear(to, from) = static_cast<T>(r.integer(-3, 3));
       back(to, from) = -shear(to, from);
       a = shear * a;
@@ -231,7 +231,7 @@ void sweep_exact_systems(const std::string& type) {
         fits[q / N] = fits[q / N] && std::isfinite(want);
         all_right[q / N] = all_right[q / N] && (q == N ? x.x[p] == want : undo && (*undo)(p, q) == want);
       }
-    const bool kinds = undo.has_value() == fits[0] && (x.kind == irg::solvability::unique) == fits[1];
+    const bool kinds = undo.has_value() == fits[0] && (x.status == irg::system_status::ok) == fits[1];
     return kinds && (all_right[0] || !fits[0]) && (all_right[1] || !fits[1]) ? 0 : 1;
   });
 }

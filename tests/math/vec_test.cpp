@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <sstream>
 #include <type_traits>
 
 #include <irg/math/homogeneous.hpp>
@@ -154,6 +155,14 @@ TEST_CASE("vec: operators by hand") {
              irg::vec<int, 5>{{6, 6, 6, 6, 6}});
 }
 
+TEST_CASE("vec: written as (1, 2, 3) into any stream of numbers and text") {
+  std::ostringstream out;
+  out << vec3{1, -2, 0.5} << irg::point<int, 2>{3, 4} << irg::hpoint<float, 3>{1, 2, 3, 1}
+      << irg::vec<signed char, 1>{{65}};
+  CHECK(out.str() == "(1, -2, 0.5)(3, 4)(1, 2, 3, 1)(65)");
+  static_assert(!irg::TextStream<std::ostringstream, run_time_number> && !irg::TextStream<int>);
+}
+
 TEST_CASE("vec: points and vectors") {
   CHECK_BOTH(point3{5, 5, 5} - point3{1, 2, 3} == vec3{4, 3, 2});
   CHECK_BOTH(point3{1, 2, 3} + vec3{4, 3, 2} == point3{5, 5, 5});
@@ -173,7 +182,7 @@ TEST_CASE("vec: points of any dimension") {
   CHECK_BOTH(irg::to_homogeneous(point4{{4, 3, 2, 1}}) == irg::hpoint<double, 4>{{4, 3, 2, 1, 1}});
   CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 4>{{4, 3, 2, 1, 2}}) == point4{{2, 1.5, 1, 0.5}});
   CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 1>{{6, 3}})[0] == 2);
-  CHECK_BOTH(*irg::try_to_cartesian(irg::identity<double, 5>() * point4{{4, 3, 2, 1}}) == point4{{4, 3, 2, 1}});
+  CHECK_BOTH(*irg::try_to_cartesian(irg::identity_matrix<double, 5>() * point4{{4, 3, 2, 1}}) == point4{{4, 3, 2, 1}});
   CHECK_BOTH(irg::homogeneous_kind_of(irg::hpoint<double, 4>{{0, 1, 0, 0, 0}}) == irg::homogeneous_kind::direction);
 }
 
@@ -367,6 +376,6 @@ TEST_CASE("vec: of numbers that have no constant expressions") {
   const irg::vec<N, 3> v{N(1), N(2), N(3)}, w{N(3), N(2), N(1)};
   CHECK((dot(v, w) == N(10) && v == v && !(v == w) && N(1) / N(2) < N(1)));
   CHECK((irg::point<N, 2>{N(1), N(2)} == irg::point<N, 2>{N(1), N(2)} && irg::hpoint<N, 3>{} == irg::hpoint<N, 3>{}));
-  const auto identity = irg::identity<N, 3>();
+  const auto identity = irg::identity_matrix<N, 3>();
   CHECK((identity == identity && identity * v == v && determinant(identity) == N(1)));
 }

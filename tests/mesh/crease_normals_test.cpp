@@ -130,7 +130,7 @@ TEST_CASE("crease normals: bodies") {
         test::without_normals(irg::shape_icosahedron<double>())}) {
     mesh<double> bare = body;
     bare.normals.clear();
-    for (mesh_corner& c : bare.corners) c.normal = mesh_corner::none;
+    for (mesh_corner& c : bare.corners) c.normal = irg::no_index;
     const mesh<double> all = creased(bare, 180);  // every edge smooth: one normal at a position
     CHECK(all.normals.size() == bare.positions.size());
     const auto at = irg::vertex_normals(bare, irg::normal_weight::angle);

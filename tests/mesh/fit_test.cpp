@@ -60,7 +60,7 @@ TEST_CASE("fit: random bodies fill the cube along their longest side") {
     CHECK(fit_mesh(m) == fit_status::ok);
     const auto b = bounding_box(m);
     const auto s = extent(b);
-    const double longest = greater(s.x, greater(s.y, s.z));
+    const double longest = maximum(s.x, maximum(s.y, s.z));
     CHECK(longest == doctest::Approx(2).epsilon(1e-8));
     for (int i = 0; i < 3; ++i) {
       CHECK(b.low[i] >= -1 - 1e-8);
@@ -101,12 +101,12 @@ TEST_CASE("fit: boxes of subnormal numbers, within 16u and what the middle adds"
       return std::ldexp(static_cast<float>(r.integer(-(1 << 23), 1 << 23)), static_cast<int>(r.integer(-149, -136)));
     };
     const float a = number(), b = number();
-    const box<float, 3> extents{{lesser(a, b), 0, 0}, {greater(a, b), 0, 0}};
+    const box<float, 3> extents{{minimum(a, b), 0, 0}, {maximum(a, b), 0, 0}};
     const auto f = fit_of(extents);
     if (f.status != fit_status::ok) continue;
     const double low = static_cast<double>(extents.low.x), high = static_cast<double>(extents.high.x),
                  half = high / 2 - low / 2;
-    const double middle = greater(-low, high) / half;
+    const double middle = maximum(-low, high) / half;
     CHECK(static_cast<double>(fitted(extents.high, f).x) <= 1 + (16 + middle) * 0x1p-24);
     CHECK(static_cast<double>(fitted(extents.low, f).x) >= -1 - (16 + middle) * 0x1p-24);
     CHECK(std::fabs(static_cast<double>(f.scale) * half - 1) <= 9 * 0x1p-24);

@@ -16,9 +16,9 @@ namespace {
 constexpr irg::half_edge_mesh<double> boxed(double half, double low, double high) {
   irg::half_edge_mesh<double> b;
   const auto v = irg::make_shell<double>(b, {-half, -half, low});
-  const auto ab = irg::make_edge_vertex<double>(b, v, {half, -half, low});
-  const auto bc = irg::make_edge_vertex<double>(b, b.twin(ab), b.twin(ab), {half, half, low});
-  const auto cd = irg::make_edge_vertex<double>(b, b.twin(bc), b.twin(bc), {-half, half, low});
+  const std::uint32_t ab = irg::make_edge_vertex<double>(b, v, {half, -half, low}).value();
+  const std::uint32_t bc = irg::make_edge_vertex<double>(b, b.twin(ab), b.twin(ab), {half, half, low}).value();
+  const std::uint32_t cd = irg::make_edge_vertex<double>(b, b.twin(bc), b.twin(bc), {-half, half, low}).value();
   // The walk round the tree is ab bc cd dc cb ba; an edge from d to a leaves two squares.
   irg::make_edge_face(b, ab, b.twin(cd));
   const std::uint32_t square[4] = {ab, bc, cd, b.next(cd)};
@@ -26,7 +26,7 @@ constexpr irg::half_edge_mesh<double> boxed(double half, double low, double high
   for (int i = 0; i < 4; ++i) {
     auto p = b.positions[b.origin(square[i])];
     p.z = high;
-    up[i] = irg::make_edge_vertex<double>(b, square[i], square[i], p);
+    up[i] = irg::make_edge_vertex<double>(b, square[i], square[i], p).value();
   }
   for (int i = 0; i < 4; ++i) irg::make_edge_face(b, b.twin(up[i]), i < 3 ? b.twin(up[i + 1]) : b.next(up[0]));
   return b;
@@ -77,8 +77,8 @@ TEST_CASE("to_mesh: a hole through a box is two rings, and the mesh has the volu
     return sum / 4;
   };
   for (std::uint32_t f = 6; f < 12; ++f)
-    for (std::uint32_t g = 0; g < 6 && b.faces[f] != irg::half_edge::none; ++g)
-      if (level(f) != 0 && level(f) == level(g)) CHECK(irg::kill_face_make_ring_hole(b, f, g) != irg::half_edge::none);
+    for (std::uint32_t g = 0; g < 6 && b.faces[f] != irg::no_index; ++g)
+      if (level(f) != 0 && level(f) == level(g)) CHECK(irg::kill_face_make_ring_hole(b, f, g));
   CHECK(test::is_sound(b));
   CHECK(irg::counts_of(b) == irg::half_edge_counts{16, 24, 10, 2, 1, 0, 1});
   const auto m = irg::to_mesh(b);
@@ -103,7 +103,7 @@ TEST_CASE("to_mesh: as many parts as faces take linear time; faces of no part co
   auto b = irg::to_half_edges(m).value;
   CHECK(irg::to_mesh(b) == m);
   std::swap(b.face_parts[0], b.face_parts[2]);
-  b.face_parts[1] = irg::half_edge::none;
+  b.face_parts[1] = irg::no_index;
   const auto turned = irg::to_mesh(b);
   CHECK(turned.corners[0] == m.corners[6]);
   CHECK(turned.parts.size() == m.parts.size() + 1);

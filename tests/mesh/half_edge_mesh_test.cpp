@@ -32,7 +32,7 @@ TEST_CASE("half-edges: neighbours of a grid's inner vertex stand counter-clockwi
     std::vector<std::uint32_t> round;
     irg::each_half_edge_at(b, v, [&](std::uint32_t h) { round.push_back(h); });
     const bool at_border =
-        std::any_of(round.begin(), round.end(), [&](std::uint32_t h) { return b.face(h) == irg::half_edge::none; });
+        std::any_of(round.begin(), round.end(), [&](std::uint32_t h) { return b.face(h) == irg::no_index; });
     at_border ? ++beside_border : ++inner;
     for (std::size_t i = 0; i < round.size() && !at_border; ++i) {
       const auto p = b.positions[v], q = b.positions[b.target(round[i])],

@@ -21,7 +21,7 @@ constexpr irg::mesh<double> square() {
   irg::mesh<double> m;
   m.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-0.0, 0, 0}, {9, 9, 9}};
   m.texcoords = {{0, 0}, {1, 1}, {-0.0, 0}};
-  m.corners = {{0, irg::mesh_corner::none, 0}, {1}, {2}, {4, irg::mesh_corner::none, 2}, {2}, {3}};
+  m.corners = {{0, irg::no_index, 0}, {1}, {2}, {4, irg::no_index, 2}, {2}, {3}};
   m.face_starts = {0, 3, 6};
   return m;
 }
@@ -31,7 +31,7 @@ constexpr irg::mesh<double> square() {
 TEST_CASE("merge_vertices: by value, in the order of use, at compile time, too") {
   CHECK_BOTH([] {
     const auto v = merge_vertices(square());
-    return v.vertices == std::vector<irg::mesh_corner>{{0, irg::mesh_corner::none, 0}, {1}, {2}, {3}} &&
+    return v.vertices == std::vector<irg::mesh_corner>{{0, irg::no_index, 0}, {1}, {2}, {3}} &&
            v.triangles == std::vector<irg::triangle_indices>{{{0, 1, 2}}, {{0, 2, 3}}};
   }());
   CHECK_BOTH(merge_vertices(irg::mesh<float>{}).vertices.empty());
@@ -71,10 +71,10 @@ TEST_CASE("merge_vertices: a map from numbers to places says the same, and nothi
     const auto merged = merge_vertices(m);
     const auto key = [&](const irg::mesh_corner& c) {
       std::vector<double> k = {m.positions[c.position][0], m.positions[c.position][1], m.positions[c.position][2]};
-      k.push_back(c.normal == irg::mesh_corner::none ? 0 : 1);
+      k.push_back(c.normal == irg::no_index ? 0 : 1);
       if (k.back() == 1)
         for (int i = 0; i < 3; ++i) k.push_back(m.normals[c.normal][i]);
-      k.push_back(c.texcoord == irg::mesh_corner::none ? 0 : 1);
+      k.push_back(c.texcoord == irg::no_index ? 0 : 1);
       if (k.back() == 1)
         for (int i = 0; i < 2; ++i) k.push_back(m.texcoords[c.texcoord][i]);
       return k;

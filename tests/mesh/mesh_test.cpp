@@ -2,6 +2,7 @@
 #include <irg/mesh/mesh.hpp>
 
 #include <array>
+#include <set>
 #include <vector>
 
 #include "support/check_both.hpp"
@@ -11,8 +12,7 @@ namespace {
 static_assert(irg::Mesh<irg::mesh<float>> && irg::Mesh<irg::mesh<double>> && irg::Mesh<irg::mesh<int>>);
 static_assert(!irg::Coordinates<irg::mesh<float>>);
 static_assert(std::same_as<irg::mesh_traits<irg::mesh<double>>::point, irg::point<double, 3>>);
-static_assert(irg::mesh_corner{}.normal == irg::mesh_corner::none &&
-              irg::mesh_corner{}.texcoord == irg::mesh_corner::none);
+static_assert(irg::mesh_corner{}.normal == irg::no_index && irg::mesh_corner{}.texcoord == irg::no_index);
 
 // A pyramid on a square: one face of four corners and four of three.
 constexpr irg::mesh<int> pyramid() {
@@ -43,6 +43,16 @@ constexpr bool closed(const irg::mesh<int>& m) {
 
 }  // namespace
 
+TEST_CASE("mesh_corner: ordered by position, normal, texture coordinate, and hashed") {
+  using corner = irg::mesh_corner;
+  CHECK_BOTH(
+      (corner{1, 9, 9} < corner{2, 0, 0} && corner{1, 1, 9} < corner{1, 2, 0} && corner{1, 1, 1} < corner{1, 1, 2}));
+  CHECK_BOTH(!(corner{1, 1, 1} < corner{1, 1, 1}));
+  std::set<std::size_t> hashes;
+  for (std::uint32_t i = 0; i < 8000; ++i) hashes.insert(std::hash<corner>{}({i % 20, i / 20 % 20, i / 400}));
+  CHECK(hashes.size() == 8000);
+}
+
 TEST_CASE("mesh: faces of different sizes share their positions") {
   CHECK_BOTH(irg::mesh_vertex_count(pyramid()) == 5);
   CHECK_BOTH(irg::mesh_face_count(pyramid()) == 5);
@@ -60,7 +70,7 @@ TEST_CASE("mesh: corners may name normals and texture coordinates of their own")
   m.normals = {{0, 0, 1}};
   irg::add_face(m, std::vector<std::uint32_t>{0, 1, 2});
   CHECK(m.corner(0, 2).position == 2);
-  CHECK(m.corner(0, 2).normal == irg::mesh_corner::none);
+  CHECK(m.corner(0, 2).normal == irg::no_index);
   m.corners[2].normal = 0;
   CHECK(m.corner(0, 2).normal == 0);
   CHECK(m.normals[m.corner(0, 2).normal] == irg::vec<float, 3>{0, 0, 1});

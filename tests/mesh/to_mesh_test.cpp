@@ -39,7 +39,7 @@ TEST_CASE("to_mesh: a mesh of a user's type") {
   CHECK_BOTH(made().positions.size() == 8);
   CHECK_BOTH(made().face_count() == 3);
   CHECK_BOTH(made().corner(2, 1).position == 6);
-  CHECK_BOTH(made().corner(2, 1).normal == irg::mesh_corner::none);
+  CHECK_BOTH(made().corner(2, 1).normal == irg::no_index);
   CHECK_BOTH(made().positions[5] == irg::point<double, 3>{2, 1, 0.1});
   constexpr auto floats = [] { return irg::to_mesh<float>(grid_mesh{1}); };
   CHECK_BOTH(floats().positions[0].z == 0.1f);

@@ -20,7 +20,7 @@ constexpr irg::mesh<T> sample() {
   m.normals.push_back({T{0}, T{0}, T{1}});
   m.texcoords.push_back({T{1}, T{1}});
   for (const std::uint32_t i : {0u, 1u, 2u, 2u, 1u, 3u})
-    m.corners.push_back({i, i == 1 ? 0 : mesh_corner::none, mesh_corner::none});
+    m.corners.push_back({i, i == 1 ? 0 : irg::no_index, irg::no_index});
   m.corners[5].texcoord = 0;
   m.face_starts.push_back(3);
   m.face_starts.push_back(6);
@@ -66,7 +66,7 @@ TEST_CASE("validate: face starts") {
 TEST_CASE("validate: indices") {
   using enum mesh_defect;
   CHECK_BOTH(after([](auto& m) { m.corners[4].position = 4; }) == mesh_finding{position_out_of_range, 1, 1});
-  CHECK_BOTH(after([](auto& m) { m.corners[2].position = mesh_corner::none; }) ==
+  CHECK_BOTH(after([](auto& m) { m.corners[2].position = irg::no_index; }) ==
              mesh_finding{position_out_of_range, 0, 2});
   CHECK_BOTH(after([](auto& m) { m.corners[5].normal = 1; }) == mesh_finding{normal_out_of_range, 1, 2});
   CHECK_BOTH(after([](auto& m) { m.corners[3].texcoord = 1; }) == mesh_finding{texcoord_out_of_range, 1, 0});

@@ -10,7 +10,7 @@
 
 #if CASE == 0
 constexpr double x = irg::product(2.0, 3.0);
-constexpr int y = irg::clamp(7, 0, 5);
+constexpr int y = irg::clamped(7, 0, 5);
 #elif CASE == 1  // operands of two types: which rounding would be meant?
 // expect: no matching function for call to .*product
 constexpr double x = irg::product(2.0, 3.0f);

@@ -67,7 +67,7 @@ void try_body(const std::string& folder, const std::string& name, irg::mesh<T> m
   m.normals.clear();
   m.texcoords.clear();
   m.parts.clear();
-  const std::uint32_t none = irg::mesh_corner::none;
+  const std::uint32_t none = irg::no_index;
   for (irg::mesh_corner& c : m.corners)
     c = {c.position, attributes ? c.position : none, attributes ? c.position : none};
   for (const irg::point<T, 3>& p : m.positions) {

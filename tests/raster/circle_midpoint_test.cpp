@@ -112,8 +112,8 @@ TEST_CASE("circle_midpoint: radii and centres up to the limits of int") {
     const int bits = static_cast<int>(random.integer(8, 31));
     const std::int64_t r = random.integer(1, (std::int64_t{1} << bits) - 1), dx = random.integer(-r, r);
     const auto dy = static_cast<std::int64_t>(irg::sqrt(static_cast<double>(r * r - dx * dx))) * (i % 2 ? 1 : -1);
-    const cell centre{static_cast<int>(irg::clamp<std::int64_t>(-dx, least, most)),
-                      static_cast<int>(irg::clamp<std::int64_t>(-dy, least, most))};
+    const cell centre{static_cast<int>(irg::clamped<std::int64_t>(-dx, least, most)),
+                      static_cast<int>(irg::clamped<std::int64_t>(-dy, least, most))};
     const int x = static_cast<int>(random.integer(-12, 0)), y = static_cast<int>(random.integer(-12, 0));
     check_window(centre, static_cast<int>(r), {x, y, x + 13, y + 13});
     seen += static_cast<long>(cells(centre, static_cast<int>(r), {x, y, x + 13, y + 13}).size());

@@ -261,7 +261,7 @@ TEST_CASE("draw_line: the walk in 64 bits on the lines that need its last units"
       for (const std::int64_t first : {std::int64_t{0}, step - (cells - 1), step, n + 1 - cells}) {
         if (first < 0 || first > step || step - first >= cells) continue;
         const bresenham_frame f{n, m, 1, 1, false, {least, least}, 0};
-        const auto walk = walk_of_steps_64(f, {first, irg::lesser(n + 1, first + cells)});
+        const auto walk = walk_of_steps_64(f, {first, irg::minimum(n + 1, first + cells)});
         CHECK(walk_is_exact(walk, f, first, random));
         lowest += first == step - (cells - 1);
       }

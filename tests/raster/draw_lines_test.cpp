@@ -39,8 +39,8 @@ std::vector<irg::painted_line<P>> random_lines(test::random& random, int count, 
       case 1: b.x = a.x; break;
       case 2: b = a; break;
       case 3:
-        b = {static_cast<int>(irg::clamp<std::int64_t>(std::int64_t{a.x} + 90, least, most)),
-             static_cast<int>(irg::clamp<std::int64_t>(std::int64_t{a.y} - 90, least, most))};
+        b = {static_cast<int>(irg::clamped<std::int64_t>(std::int64_t{a.x} + 90, least, most)),
+             static_cast<int>(irg::clamped<std::int64_t>(std::int64_t{a.y} - 90, least, most))};
       default: break;
     }
     lines.push_back({a, b, static_cast<P>(i + 1)});

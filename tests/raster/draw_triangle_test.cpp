@@ -18,7 +18,7 @@ using irg::screen_vertex;
 
 struct to_bytes {
   constexpr irg::rgba8 operator()(const irg::rgb<float>& c) const {
-    const auto byte = [](float v) { return static_cast<std::uint8_t>(irg::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); };
+    const auto byte = [](float v) { return static_cast<std::uint8_t>(irg::clamped(v, 0.0f, 1.0f) * 255.0f + 0.5f); };
     return {byte(c.r), byte(c.g), byte(c.b), 255};
   }
 };

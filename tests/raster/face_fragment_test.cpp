@@ -105,12 +105,12 @@ void paints(std::uint64_t seed, int rounds) {
     const auto parts = split_fragment({&faces[0]}, faces[1]);
     for (int y = -5; y < 21; ++y)
       for (int x = -5; x < 21; ++x) {
-        std::uint32_t seen = irg::no_face;
+        std::uint32_t seen = irg::no_index;
         if (irg::covers<Order>(parts.farther, x, y)) seen = faces[0].number;
         if (covers(faces[1], x, y)) seen = faces[1].number;
         if (irg::covers<Order>(parts.nearer, x, y)) seen = faces[0].number;
         both += covers(faces[0], x, y) && covers(faces[1], x, y);
-        wrong += seen != irg::picture_face_at<Order>(faces, x, y);
+        wrong += seen != irg::picture_face_at<Order>(faces, x, y).value_or(irg::no_index);
       }
   }
   CHECK(wrong == 0);

@@ -156,7 +156,8 @@ TEST_CASE("compare_depths: a processor that takes subnormal numbers for zero dec
   for (int i = 0; i < test::trials(50'000); ++i) {
     const test::face_pair p = make.next(static_cast<test::face_pairs>(i % test::face_pair_kinds));
     const auto ask = [&p] {
-      return compare_depths(p.a, p.b, p.x, p.y) + 3 * side_of_face(p.a, p.b.v[0]) + 9 * side_of_face(p.b, p.a.v[1]);
+      return compare_depths(p.a, p.b, p.x, p.y) + 3 * sign_of(side_of_face(p.a, p.b.v[0])) +
+             9 * sign_of(side_of_face(p.b, p.a.v[1]));
     };
     const int due = ask();
     decided += due != 0;
@@ -231,15 +232,15 @@ TEST_CASE("compare_depths: rounded depths that overflowed on their way decide no
 // ---- sides of planes
 
 TEST_CASE("side_of_face: by hand") {
-  CHECK_BOTH(side_of_face(level(0.5f), {{100, 100}, 0.75f}) == 1);
-  CHECK_BOTH(side_of_face<less>(level(0.5f), {{100, 100}, 0.75f}) == -1);
-  CHECK_BOTH(side_of_face<drawing_order>(level(0.5f), {{100, 100}, 0.75f}) == 0);
-  CHECK_BOTH(side_of_face(level(0.5f), {{-90000, 77}, 0.5f}) == 0);
+  CHECK_BOTH(side_of_face(level(0.5f), {{100, 100}, 0.75f}) == irg::side::above);
+  CHECK_BOTH(side_of_face<less>(level(0.5f), {{100, 100}, 0.75f}) == irg::side::below);
+  CHECK_BOTH(side_of_face<drawing_order>(level(0.5f), {{100, 100}, 0.75f}) == irg::side::on);
+  CHECK_BOTH(side_of_face(level(0.5f), {{-90000, 77}, 0.5f}) == irg::side::on);
   constexpr screen_face slope = face({0, 0}, {0, 4096}, {4096, 0}, 0.0f, 0.0f, 1.0f);
-  CHECK_BOTH(side_of_face(slope, {{1, 55}, 0x1p-12f}) == 0);
-  CHECK_BOTH(side_of_face(slope, {{1, 55}, 0x1.000002p-12f}) == 1);
-  CHECK_BOTH(side_of_face(slope, {{-1, 55}, -0x1.000002p-12f}) == -1);
-  CHECK_BOTH(side_of_face(face({0, 0}, {9, 9}, {18, 18}, 0.0f, 1.0f, 0.0f), {{1, 5}, 1.0f}) == 0);
+  CHECK_BOTH(side_of_face(slope, {{1, 55}, 0x1p-12f}) == irg::side::on);
+  CHECK_BOTH(side_of_face(slope, {{1, 55}, 0x1.000002p-12f}) == irg::side::above);
+  CHECK_BOTH(side_of_face(slope, {{-1, 55}, -0x1.000002p-12f}) == irg::side::below);
+  CHECK_BOTH(side_of_face(face({0, 0}, {9, 9}, {18, 18}, 0.0f, 1.0f, 0.0f), {{1, 5}, 1.0f}) == irg::side::on);
 }
 
 TEST_CASE("side_of_face: the sign of orient3d") {
@@ -256,7 +257,7 @@ TEST_CASE("side_of_face: the sign of orient3d") {
       const irg::orientation seen = irg::orientation_of(u, v, w);
       const int turn = seen == irg::orientation::clockwise ? 1 : seen == irg::orientation::counter_clockwise ? -1 : 0;
       const int due = turn * irg::orient3d(at(p.a.v[0]), at(p.a.v[1]), at(p.a.v[2]), at(corner));
-      wrong += side_of_face(p.a, corner) != due;
+      wrong += sign_of(side_of_face(p.a, corner)) != due;
       ++count[due + 1];
     }
   }
@@ -273,8 +274,8 @@ TEST_CASE("picture_face_at: by hand") {
   CHECK_BOTH(irg::picture_face_at(faces, 7, 7) == 2);
   CHECK_BOTH(irg::picture_face_at<less>(faces, 1, 1) == 2);
   CHECK_BOTH(irg::picture_face_at<drawing_order>(faces, 7, 7) == 4);
-  CHECK_BOTH(irg::picture_face_at(faces, 15, 15) == irg::no_face);
-  CHECK_BOTH(irg::picture_face_at({}, 0, 0) == irg::no_face);
+  CHECK_BOTH(!irg::picture_face_at(faces, 15, 15));
+  CHECK_BOTH(!irg::picture_face_at({}, 0, 0));
 }
 
 template <irg::DepthOrder Order>
@@ -284,7 +285,7 @@ void against_drawing(std::uint64_t seed, int scenes) {
   long long compared = 0, close = 0, wrong = 0;
   for (int scene = 0; scene < scenes; ++scene) {
     std::vector<screen_face> faces;
-    irg::image<std::uint32_t> id(size, size, irg::no_face);
+    irg::image<std::uint32_t> id(size, size, irg::no_index);
     irg::image<float> depth(size, size, Order::farthest);
     for (std::uint32_t i = 0; i < 12; ++i) {
       irg::screen_vertex v[3];
@@ -297,13 +298,13 @@ void against_drawing(std::uint64_t seed, int scenes) {
     }
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {
-        const std::uint32_t seen = irg::picture_face_at<Order>(faces, x, y);
+        const std::uint32_t seen = irg::picture_face_at<Order>(faces, x, y).value_or(irg::no_index);
         if (seen == id(x, y)) {
           ++compared;
           continue;
         }
         // Allowed only where the float depths of the two lie within 8 units in the last place.
-        const bool both = seen != irg::no_face && id(x, y) != irg::no_face;
+        const bool both = seen != irg::no_index && id(x, y) != irg::no_index;
         const float a = both ? rounded_depth(faces[seen], x, y) : 0,
                     b = both ? rounded_depth(faces[id(x, y)], x, y) : 1;
         ++(std::fabs(a - b) <= 8 * 0x1p-24f ? close : wrong);

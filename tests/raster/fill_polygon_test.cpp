@@ -170,8 +170,8 @@ TEST_CASE("polygon_spans: far vertices, exact to 2^31 pixels") {
       polygon[0].push_back({-x + random.integer(-1500, 1500), -y + random.integer(-1500, 1500)});
     }
     for (auto& v : polygon[0]) {
-      v.x = irg::clamp(v.x, -irg::far_limit * 256, irg::far_limit * 256);
-      v.y = irg::clamp(v.y, -irg::far_limit * 256, irg::far_limit * 256);
+      v.x = irg::clamped(v.x, -irg::far_limit * 256, irg::far_limit * 256);
+      v.y = irg::clamped(v.y, -irg::far_limit * 256, irg::far_limit * 256);
       pixels[0].push_back({static_cast<double>(v.x) / 256, static_cast<double>(v.y) / 256});
     }
     const fill_rule rule = i % 2 ? fill_rule::even_odd : fill_rule::non_zero;

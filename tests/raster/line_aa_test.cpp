@@ -155,8 +155,8 @@ TEST_CASE("line_aa: lines across the whole domain, seen through a small window")
     subpixel a{c(), c()}, b{c(), c()};
     if (i % 7 == 0) b.y = a.y + static_cast<std::int32_t>(random.integer(-9, 9));
     if (i % 11 == 0) b.x = a.x + static_cast<std::int32_t>(random.integer(-9, 9));
-    a.x = irg::clamp(a.x, -limit, limit), b.x = irg::clamp(b.x, -limit, limit);
-    a.y = irg::clamp(a.y, -limit, limit), b.y = irg::clamp(b.y, -limit, limit);
+    a.x = irg::clamped(a.x, -limit, limit), b.x = irg::clamped(b.x, -limit, limit);
+    a.y = irg::clamped(a.y, -limit, limit), b.y = irg::clamped(b.y, -limit, limit);
     const line_aa_options o = random.options();
     const std::int64_t t = random.integer(0, 1 << 20);
     const int x = static_cast<int>((a.x + ((std::int64_t{b.x} - a.x) * t >> 20)) >> 8),

@@ -110,12 +110,12 @@ TEST_CASE("line_wu: random lines over the whole int range against the rational o
     const cell a{coordinate(), coordinate()}, b{coordinate(), coordinate()};
     const std::int64_t w = std::llabs(std::int64_t{b.x} - a.x), h = std::llabs(std::int64_t{b.y} - a.y),
                        n = w > h ? w : h;
-    const std::int64_t step = random.integer(0, n), from = irg::greater<std::int64_t>(0, step - 20),
-                       to = irg::lesser(n, step + 20);
+    const std::int64_t step = random.integer(0, n), from = irg::maximum<std::int64_t>(0, step - 20),
+                       to = irg::minimum(n, step + 20);
     const auto around = oracle(a, b, from, to);
     const cell middle = oracle(a, b, step, step).front().at;
     const auto near = [&](int c) {
-      return static_cast<int>(irg::clamp<std::int64_t>(std::int64_t{c} + random.integer(-7, 2), least, most - 16));
+      return static_cast<int>(irg::clamped<std::int64_t>(std::int64_t{c} + random.integer(-7, 2), least, most - 16));
     };
     const int x = near(middle.x), y = near(middle.y);
     const irg::cell_window window{x, y, x + 9, y + 9};

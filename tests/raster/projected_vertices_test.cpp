@@ -181,7 +181,7 @@ int differences(int positions) {
     p.push_back({x, y, z});
   }
   int wrong = 0;
-  for (const auto& to_clip : {irg::perspective(T(1.2), T(1.5), T(0.01), T(30)), irg::identity<T, 4>(),
+  for (const auto& to_clip : {irg::perspective(T(1.2), T(1.5), T(0.01), T(30)), irg::identity_matrix<T, 4>(),
                               irg::perspective(T(1.2), T(1.5), (std::numeric_limits<T>::min)(), T(30)),
                               irg::mat<T, 4, 4>{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, T(0x1p127f)}},
                               // z and w independent of each other: behind the eye on either side of the depth planes

@@ -22,7 +22,7 @@ TEST_CASE("make_screen_face: corners, number, range of depths and box") {
   CHECK_BOTH(f.depth_high == 0.75f);
   CHECK_BOTH(f.coverage.bounds == irg::cell_window{0, 0, 4, 4});
   CHECK_BOTH(f.coverage.double_area == 1024 * 1024);
-  CHECK_BOTH(screen_face{}.number == irg::no_face);
+  CHECK_BOTH(screen_face{}.number == irg::no_index);
   CHECK_BOTH(!covers(screen_face{}, 0, 0));
 }
 

@@ -251,7 +251,7 @@ TEST_CASE("covered_spans: work ends at the window, however large the triangle") 
 constexpr int columns_outside(subpixel a, subpixel b, subpixel c, irg::cell_window w) {
   int n = 0;
   irg::covered_spans(irg::cover_triangle(a, b, c), w, [&](irg::span_of_cells s) {
-    n += irg::greater(w.x_first - s.x_first, 0) + irg::greater(s.x_last - w.x_last, 0);
+    n += irg::maximum(w.x_first - s.x_first, 0) + irg::maximum(s.x_last - w.x_last, 0);
   });
   return n;
 }

@@ -109,13 +109,13 @@ template <class P>
 struct drawn {
   irg::image<P> colour;
   irg::image<float> depth;
-  irg::render_stats stats;
+  irg::render_counts stats;
   bool operator==(const drawn& o) const { return colour == o.colour && depth == o.depth; }
 };
 
 template <class Order, class P, class Shading, class E = irg::sequential>
 drawn<P> draw(const triangle_scene& s, const batches_of& b, const Shading& shading,
-              const irg::draw_settings<P>& settings, std::uint64_t seed, const E& executor = {}) {
+              const irg::draw_options<P>& settings, std::uint64_t seed, const E& executor = {}) {
   drawn<P> d{irg::image<P>(s.width, s.height), irg::image<float>(s.width, s.height), {}};
   test::random r(seed);
   for (int y = 0; y < s.height; ++y)  // what was there before
@@ -137,8 +137,8 @@ long long fast_equals_plain(const triangle_scene& s, test::random& r, irg::clear
   const recorded numbers{b.shown, b.backs_from};
   const std::uint64_t seed = r.next();
   using fast = irg::nearer_is_greater;
-  const irg::draw_settings<values> as_numbers{culling, {}, clear, {5, 6, 7}};
-  const irg::draw_settings<rgba8> as_colours{culling, {}, clear, {5, 6, 7, 8}};
+  const irg::draw_options<values> as_numbers{culling, {}, clear, {5, 6, 7}};
+  const irg::draw_options<rgba8> as_colours{culling, {}, clear, {5, 6, 7, 8}};
   const auto expected = draw<plainly>(s, b, numbers, as_numbers, seed);
   const auto one = draw<fast>(s, b, numbers, as_numbers, seed);
   REQUIRE(one.depth == expected.depth);

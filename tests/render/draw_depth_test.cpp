@@ -16,9 +16,9 @@ using test::scene_kind;
 using test::triangle_scene;
 
 template <irg::DepthOrder Order = irg::nearer_is_greater, irg::Floating T = double, class E = irg::sequential>
-constexpr std::pair<irg::image<float>, irg::render_stats> depths(const triangle_scene& s, face_culling culling,
-                                                                 const skip_options& skip = {},
-                                                                 const E& executor = {}) {
+constexpr std::pair<irg::image<float>, irg::render_counts> depths(const triangle_scene& s, face_culling culling,
+                                                                  const skip_options& skip = {},
+                                                                  const E& executor = {}) {
   irg::image<float> depth(s.width, s.height, 0.5f);
   const auto mapping = irg::map_to_screen<T>({s.width, s.height});
   const auto positions = test::positions_in<T>(s);
@@ -85,7 +85,7 @@ TEST_CASE("draw_depth: onto depths that are there already") {
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   irg::image<float> depth(100, 80, 0.0f);
   const std::span<const irg::triangle_indices> all(s.triangles);
-  const irg::depth_settings keep{face_culling::none, {}, irg::clearing::none};
+  const irg::draw_depth_options keep{face_culling::none, {}, irg::clearing::none};
   irg::draw_depth(depth, irg::projected_triangles{vertices, all.subspan(10), mapping}, keep);
   irg::draw_depth(depth, irg::projected_triangles{vertices, all.first(10), mapping}, keep);
   CHECK(depth == whole);
@@ -97,7 +97,7 @@ TEST_CASE("draw_depth: nothing to draw, and rows wider than the picture") {
   std::vector<float> memory(80 * 20, 7.0f);
   irg::image_view<float> depth(memory.data(), 70, 20, 80 * 4);
   const auto stats = irg::draw_depth(depth, irg::projected_triangles{none, {}, mapping});
-  CHECK(stats == irg::render_stats{});
+  CHECK(stats == irg::render_counts{});
   CHECK(depth(69, 19) == 7);
   irg::draw_depth(depth, irg::projected_triangles{none, {}, mapping}, {.clear = irg::clearing::before_drawing});
   for (int i = 0; i < 80 * 20; ++i) REQUIRE(memory[static_cast<std::size_t>(i)] == (i % 80 < 70 ? 0.0f : 7.0f));

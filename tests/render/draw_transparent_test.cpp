@@ -20,7 +20,7 @@ using irg::face_culling;
 using irg::facing;
 using irg::rgba8;
 using irg::skip_options;
-using irg::transparent_settings;
+using irg::transparent_options;
 using batch = irg::triangle_batch<double>;
 using greater = irg::nearer_is_greater;
 using less = irg::nearer_is_less;
@@ -30,7 +30,7 @@ using test::triangle_scene;
 struct picture {
   irg::image<rgba8> colour;
   irg::image<float> depth;
-  irg::render_stats stats;
+  irg::render_counts stats;
   constexpr bool same(const picture& o) const { return colour == o.colour && depth == o.depth; }
 };
 
@@ -62,7 +62,7 @@ constexpr picture opaque_part(const triangle_scene& s) {
 
 template <class Order, depth_test Test = depth_test::nearer, class Blend = irg::over_in_light,
           class E = irg::sequential>
-constexpr picture blended(picture p, const triangle_scene& s, const transparent_settings<Blend>& settings = {},
+constexpr picture blended(picture p, const triangle_scene& s, const transparent_options<Blend>& settings = {},
                           const E& executor = {}) {
   const auto mapping = irg::map_to_screen<double>({s.width, s.height});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
@@ -153,7 +153,7 @@ void against_composition(std::uint64_t seed, int scenes) {
     passed_over += drawn.stats.skipped.occluded;
     here = 0;
     REQUIRE(blended<Order, depth_test::nearer_or_equal>(before, glass,
-                                                        transparent_settings<irg::over_as_encoded>{culling, {}})
+                                                        transparent_options<irg::over_as_encoded>{culling, {}})
                 .same(composed<Order>(before, glass, culling, true, irg::over_as_encoded{}, here)));
     // However the work is done.
     const picture plain = blended<Order>(before, glass, {culling, irg::skip_nothing});
@@ -208,7 +208,7 @@ constexpr rgba8 through(std::initializer_list<pane> panes, float wall_depth = 0.
   irg::draw_transparent<Order, Test, double>(
       irg::render_target{colour, depth}, {one, mapping},
       [&](const batch&, std::uint32_t i, facing) { return irg::solid_shader<rgba8>{colour_of_pane[i]}; },
-      transparent_settings<Blend>{face_culling::none, {{}, {}, occluded}});
+      transparent_options<Blend>{face_culling::none, {{}, {}, occluded}});
   return colour(0, 0);
 }
 
@@ -269,7 +269,7 @@ struct light_and_opacity {
   std::span<const std::array<float, 4>> vertices;
   constexpr const float* attributes(const batch&, std::uint32_t v, facing) const { return vertices[v].data(); }
   constexpr rgba8 pixel(const std::array<float, 4>& a) const {
-    return irg::encode({a[0], a[1], a[2]}, static_cast<std::uint8_t>(irg::clamp(a[3], 0.0f, 1.0f) * 255.0f + 0.5f));
+    return irg::encode({a[0], a[1], a[2]}, static_cast<std::uint8_t>(irg::clamped(a[3], 0.0f, 1.0f) * 255.0f + 0.5f));
   }
 };
 
@@ -316,11 +316,11 @@ TEST_CASE("draw_transparent: pictures of no size, batches of no triangles") {
   irg::image<rgba8> colour;
   irg::image<float> depth;
   const auto mapping = irg::map_to_screen<double>({1, 1});
-  CHECK(irg::draw_transparent(irg::render_target{colour, depth}, {{}, mapping}, colours) == irg::render_stats{});
+  CHECK(irg::draw_transparent(irg::render_target{colour, depth}, {{}, mapping}, colours) == irg::render_counts{});
   const auto vertices =
       irg::project_vertices<double>({}, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const batch none[1] = {{&vertices, {}, 0}};
-  CHECK(irg::draw_transparent(irg::render_target{colour, depth}, {none, mapping}, colours) == irg::render_stats{});
+  CHECK(irg::draw_transparent(irg::render_target{colour, depth}, {none, mapping}, colours) == irg::render_counts{});
 }
 
 }  // namespace

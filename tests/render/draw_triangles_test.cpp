@@ -44,7 +44,7 @@ struct mark_shader {
 struct marks {
   irg::image<mark> colour;
   irg::image<float> depth;
-  irg::render_stats stats;
+  irg::render_counts stats;
   constexpr marks(int width, int height) : colour(width, height, mark{}), depth(width, height, 0.0f) {}
 };
 
@@ -87,7 +87,7 @@ constexpr soup two_crossing_triangles() {
 
 TEST_CASE("shade_triangles: types") {
   static_assert(std::is_aggregate_v<irg::triangle_indices>);
-  static_assert(irg::draw_settings<irg::rgba8>{}.clear == irg::clearing::none);
+  static_assert(irg::draw_options<irg::rgba8>{}.clear == irg::clearing::none);
   static_assert(irg::PixelShader<mark_shader, mark>);
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("shade_triangles: constant evaluation gives the bytes and counts of ru
     struct bytes {
       mark colour[16][16];
       std::uint32_t depth[16][16]{};
-      irg::render_stats stats;
+      irg::render_counts stats;
     } b{};
     for (int y = 0; y < 16; ++y)
       for (int x = 0; x < 16; ++x)
@@ -745,10 +745,10 @@ TEST_CASE("shade_triangles: in drawing order a dot over a large triangle stays w
 
 TEST_CASE("shade_triangles: no triangles, and pictures without pixels") {
   const soup nothing{{}, {}, eye_at_origin(), 8, 8};
-  CHECK(draw(nothing).stats == irg::render_stats{});
+  CHECK(draw(nothing).stats == irg::render_counts{});
   CHECK(draw(nothing).colour(3, 3) == mark{});
   const soup flat{{}, {}, eye_at_origin(), 8, 0};
-  CHECK(draw(flat).stats == irg::render_stats{});
+  CHECK(draw(flat).stats == irg::render_counts{});
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST_CASE("make_drawable: meshes without normals get the average of the faces ar
 TEST_CASE("make_drawable: where some corners have no normal, none is used") {
   irg::mesh<double> m = creased_roof();
   m.normals = {{1, 0, 0}, {1, 0, 0}};
-  m.corners[4].normal = mesh_corner::none;
+  m.corners[4].normal = irg::no_index;
   const auto d = irg::make_drawable(m);
   for (const auto& n : d.normals) CHECK(n == irg::vec<double, 3>{0, 0, 1});
 }
@@ -113,7 +113,7 @@ TEST_CASE("make_drawable: a hub at which many normals meet takes linear time") {
   m.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   for (std::uint32_t f = 0; f < faces; ++f) {
     m.normals.push_back({0, 0, 1.0 + f});
-    for (std::uint32_t k = 0; k < 3; ++k) m.corners.push_back({k, f, mesh_corner::none});
+    for (std::uint32_t k = 0; k < 3; ++k) m.corners.push_back({k, f, irg::no_index});
     m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
   }
   const auto d = irg::make_drawable(m);  // going through all normals of the hub takes minutes

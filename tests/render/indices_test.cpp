@@ -62,7 +62,7 @@ given random_scene(std::uint64_t seed) {
 
 // Numbers of the scene's triangles as numbers of the mixed ones.
 template <class Executor>
-void check_visible(const given& g, const irg::depth_settings& settings, const Executor& executor) {
+void check_visible(const given& g, const irg::draw_depth_options& settings, const Executor& executor) {
   ids expected(g.scene.width, g.scene.height, 0), seen = expected;
   depths expected_depth(g.scene.width, g.scene.height, 0.0f), depth = expected_depth, alone = expected_depth;
   const batch good[] = {g.good()}, mixed[] = {g.with_bad()};
@@ -72,7 +72,7 @@ void check_visible(const given& g, const irg::depth_settings& settings, const Ex
   for (int y = 0; y < g.scene.height; ++y)
     for (int x = 0; x < g.scene.width; ++x) {
       std::uint32_t& e = expected(x, y);
-      if (e != irg::no_face) e = g.place[e];
+      if (e != irg::no_index) e = g.place[e];
     }
   CHECK(seen == expected);
   CHECK(depth == expected_depth);

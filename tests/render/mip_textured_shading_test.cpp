@@ -141,7 +141,7 @@ TEST_CASE("mip_textured_shading: levels against differences of long doubles, thr
     const irg::textured_vertices objects[1] = {{s.vertices}};
     const shading of{objects, {}, s.mapping};
     irg::image<float> levels(width, height, -1.0f), depth(width, height, 0.0f);
-    const irg::draw_settings<float> settings{irg::face_culling::none};
+    const irg::draw_options<float> settings{irg::face_culling::none};
     irg::shade_batches(irg::render_target{levels, depth}, {one, s.mapping}, level_maker{of, 32}, settings);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
@@ -174,7 +174,7 @@ TEST_CASE("mip_textured_shading: a floor to the horizon: its mean far away, its 
   const shading mips{objects, pyramids, s.mapping};
   irg::shade_batches(irg::render_target{with, depth}, {one, s.mapping}, mips);
   const irg::textured_shading full{objects, textures};
-  const irg::draw_settings<rgba8> again{.clear = irg::clearing::before_drawing};
+  const irg::draw_options<rgba8> again{.clear = irg::clearing::before_drawing};
   irg::shade_batches(irg::render_target{without, depth}, {one, s.mapping}, full, again);
   const auto spread = [&](const irg::image<rgba8>& p, int y) {
     int low = 255, high = 0;
@@ -237,7 +237,7 @@ TEST_CASE("mip_textured_shading: small triangles of several textures, in lanes a
     const auto compare = [&](const auto& shading_of) {
       irg::image<rgba8> many(width, height), each(width, height);
       irg::image<float> depth(width, height, 0.0f);
-      const irg::draw_settings<rgba8> settings{irg::face_culling::none};
+      const irg::draw_options<rgba8> settings{irg::face_culling::none};
       irg::shade_batches(irg::render_target{many, depth}, {one, s.mapping}, shading_of, settings);
       depth = irg::image<float>(width, height, 0.0f);
       irg::draw_transparent(irg::render_target{each, depth}, {one, s.mapping}, shading_of);

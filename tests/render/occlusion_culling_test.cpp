@@ -78,7 +78,7 @@ object_picture draw_objects(const body_scene<T>& s, std::span<const std::uint32_
                                  {s.culling, skip, irg::clearing::before_drawing});
   for (int y = 0; y < s.height; ++y)
     for (int x = 0; x < s.width; ++x)
-      if (p.object(x, y) != irg::no_face) p.object(x, y) = object_of[p.object(x, y)];
+      if (p.object(x, y) != irg::no_index) p.object(x, y) = object_of[p.object(x, y)];
   return p;
 }
 
@@ -201,7 +201,7 @@ void never_leaves_out_what_is_seen(std::uint64_t seed, int scenes) {
     std::vector<std::uint8_t> seen(s.bodies.size(), 0);
     for (int y = 0; y < s.height; ++y)
       for (int x = 0; x < s.width; ++x)
-        if (all.object(x, y) != irg::no_face) seen[all.object(x, y)] = 1;
+        if (all.object(x, y) != irg::no_index) seen[all.object(x, y)] = 1;
 
     irg::occlusion_culling<T, Order> culling(s.to_clip, {s.width, s.height});
     std::vector<std::uint32_t> kept;
@@ -263,9 +263,9 @@ TEST_CASE("occlusion culling: the mask of blocks against the depths that drawing
       for (int bx = 0; bx < m.across; ++bx) {
         const std::size_t b = m.at(bx, by);
         float farthest = 1;
-        for (int y = 8 * by; y < irg::lesser(8 * by + 8, height); ++y)
-          for (int x = 8 * bx; x < irg::lesser(8 * bx + 8, width); ++x) {
-            farthest = irg::lesser(depth(x, y), farthest);
+        for (int y = 8 * by; y < irg::minimum(8 * by + 8, height); ++y)
+          for (int x = 8 * bx; x < irg::minimum(8 * bx + 8, width); ++x) {
+            farthest = irg::minimum(depth(x, y), farthest);
             if ((m.layer[b] >> (y % 8 * 8 + x % 8) & 1) != 0) REQUIRE(depth(x, y) >= m.layer_key[b]);
           }
         REQUIRE(farthest >= m.farthest_key[b]);
@@ -374,7 +374,7 @@ irg::scene<T> walled_scene(int hidden, int seen) {
   s.lights = {{{T(3), T(4), T(5), T(1)}, {T(1), T(1), T(1)}}};
   irg::mesh<T> wall;
   wall.positions = {{-4, -9, 2}, {9, -9, 2}, {9, 9, 2}, {-4, 9, 2}};
-  for (std::uint32_t i = 0; i < 4; ++i) wall.corners.push_back({i, irg::mesh_corner::none});
+  for (std::uint32_t i = 0; i < 4; ++i) wall.corners.push_back({i, irg::no_index});
   wall.face_starts = {0, 4};
   const auto ball = irg::shape_sphere<T>({.slices = 10, .stacks = 6});
   const auto add = [&](T x, T y, T z) {
@@ -450,7 +450,7 @@ irg::scene<T> random_objects(test::random& r) {
     o.shape.positions = b.positions;
     for (const triangle_indices& t : b.triangles) {
       if (t.v[1] == 1000) continue;
-      for (const std::uint32_t v : t.v) o.shape.corners.push_back({v, irg::mesh_corner::none});
+      for (const std::uint32_t v : t.v) o.shape.corners.push_back({v, irg::no_index});
       o.shape.face_starts.push_back(static_cast<std::uint32_t>(o.shape.corners.size()));
     }
     s.objects.push_back(o);

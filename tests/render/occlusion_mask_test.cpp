@@ -105,7 +105,7 @@ void never_hides(std::uint64_t seed, int scenes, int boxes) {
       for (auto& p : within) {
         const auto share = [&](T low, T high) {
           const T at = low + (high - low) * static_cast<T>(r.integer(0, 8)) / T(8);
-          return irg::lesser(irg::greater(at, low), high);
+          return irg::minimum(irg::maximum(at, low), high);
         };
         const T x = share(b.low.x, b.high.x), y = share(b.low.y, b.high.y), z = share(b.low.z, b.high.z);
         p = {x, y, z};

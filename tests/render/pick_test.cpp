@@ -22,7 +22,7 @@ TEST_CASE("pick: the object, face and point of every pixel, as the visibility bu
   s.view.eye = {2, 3, 4};
   constexpr int width = 80, height = 70;
   auto ready = irg::prepare_scene(s);
-  irg::image<std::uint32_t> ids(width, height, irg::no_face);
+  irg::image<std::uint32_t> ids(width, height, irg::no_index);
   irg::image<float> depth(width, height);
   std::vector<irg::triangle_batch<double>> batches;
   const auto mapping = irg::map_to_screen<double>({width, height});
@@ -40,7 +40,7 @@ TEST_CASE("pick: the object, face and point of every pixel, as the visibility bu
   for (int y = 0; y < height; y += 3)
     for (int x = 0; x < width; x += 3) {
       const auto p = irg::pick(ready, {width, height}, {x, y});
-      REQUIRE(p.has_value() == (ids(x, y) != irg::no_face));
+      REQUIRE(p.has_value() == (ids(x, y) != irg::no_index));
       if (!p) continue;
       ++shown;
       const std::size_t object = ids(x, y) < batches[1].first_number ? 0 : 1;
@@ -84,13 +84,13 @@ TEST_CASE("pick: of faces whose depths are equal but for rounding the one that i
     const auto vertices =
         irg::project_vertices<double>(ready.objects[0].body.positions, irg::view_projection(s.view, 1), mapping);
     const irg::triangle_batch<double> batch[]{{&vertices, ready.objects[0].body.triangles, 0, 0}};
-    irg::image<std::uint32_t> ids(12, 12, irg::no_face);
+    irg::image<std::uint32_t> ids(12, 12, irg::no_index);
     irg::image<float> depth(12, 12);
     irg::draw_visibility({ids, depth}, {batch, mapping}, {.clear = irg::clearing::before_drawing});
     for (int y = 0; y < 12; ++y)
       for (int x = 0; x < 12; ++x) {
         const auto p = irg::pick(ready, {12, 12}, {x, y});
-        REQUIRE(p.has_value() == (ids(x, y) != irg::no_face));
+        REQUIRE(p.has_value() == (ids(x, y) != irg::no_index));
         if (p) REQUIRE(p->face == ids(x, y));
         seen += p.has_value() ? 1 : 0;
       }

@@ -78,7 +78,7 @@ TEST_CASE("prepared_scene: three threads, and no pixels") {
   irg::prepared_scene<double> ready = irg::prepare_scene(world);
   const auto one = test::render(ready, 200, 130);
   CHECK(same(test::render(ready, 200, 130, {}, irg::parallel{3}), one));
-  CHECK(test::render(ready, 0, 130).stats == irg::render_stats{});
+  CHECK(test::render(ready, 0, 130).stats == irg::render_counts{});
   CHECK(same(test::render(ready, 200, 130), one));
 }
 

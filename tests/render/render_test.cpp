@@ -30,7 +30,7 @@ constexpr irg::scene<double> scene_of(const std::vector<irg::mesh<double>>& shap
   irg::scene<double> s;
   for (const auto& shape : shapes) {
     const double share = 1.0 / static_cast<double>(s.objects.size() + 1);
-    s.objects.push_back({shape, irg::identity<double, 4>(), {{share, 1, 1}, {share, 1, 1}, {0.2, 0.2, 0.2}, 8}});
+    s.objects.push_back({shape, irg::identity_matrix<double, 4>(), {{share, 1, 1}, {share, 1, 1}, {0.2, 0.2, 0.2}, 8}});
   }
   s.view.eye = {0, 0, 4};
   s.lights.push_back({{1, 2, 5, 1}, {1, 1, 1}});
@@ -46,7 +46,7 @@ constexpr irg::picture_style styles[] = {irg::picture_style::wire, irg::picture_
 struct small_picture {
   irg::rgba8 colour[32][32];
   std::uint32_t depth[32][32]{};
-  irg::render_stats stats;
+  irg::render_counts stats;
 };
 
 constexpr irg::scene<double> crossing_triangles() {
@@ -66,6 +66,11 @@ constexpr small_picture copied(const test::rendered& r) {
   p.stats = r.stats;
   return p;
 }
+
+static_assert(irg::render_options{} == irg::render_options{} &&
+              irg::render_options{} != irg::render_options{irg::picture_style::flat});
+static_assert(std::equality_comparable<irg::draw_options<irg::rgba8>> && std::equality_comparable<irg::screen_vertex> &&
+              std::equality_comparable<irg::screen_mapping<float>>);
 
 TEST_CASE("render: two lit, depth-tested triangles in a constant expression, with the bytes of run time") {
   static constexpr small_picture at_compile_time = copied(test::render_constant(crossing_triangles(), 32, 32));
@@ -112,8 +117,8 @@ TEST_CASE("render: 1 x 1, 65535 x 1, 1 x 65535 and pictures without pixels") {
     CHECK(test::render(s, 1, 1, {style}).stats.drawn == (style == irg::picture_style::wire ? 1 : 1));
     CHECK(test::render(s, 1, 65535, {style}).stats.drawn > 0);
     CHECK(test::render(s, 65535, 1, {style}).stats.triangles == 1);
-    CHECK(test::render(s, 0, 7, {style}).stats == irg::render_stats{});
-    CHECK(test::render(s, 7, 0, {style}).stats == irg::render_stats{});
+    CHECK(test::render(s, 0, 7, {style}).stats == irg::render_counts{});
+    CHECK(test::render(s, 7, 0, {style}).stats == irg::render_counts{});
   }
   CHECK(test::render(s, 65535, 1).stats.drawn > 0);
 }

@@ -6,8 +6,9 @@ namespace test {
 namespace {
 
 template <class World>
-irg::render_stats draw(irg::image_view<irg::rgba8> colour, irg::image<float>& depth, World& world,
-                       const irg::render_options& options, const any_executor& executor, const any_observer& observer) {
+irg::render_counts draw(irg::image_view<irg::rgba8> colour, irg::image<float>& depth, World& world,
+                        const irg::render_options& options, const any_executor& executor,
+                        const any_observer& observer) {
   return irg::render(world, {colour, depth}, options, executor, [&](irg::render_stage stage) {
     if (observer) observer(stage);
   });
@@ -35,8 +36,8 @@ rendered render(irg::prepared_scene<double>& world, int width, int height, const
                 const any_executor& executor, const any_observer& observer) {
   return draw_canvas(world, width, height, options, executor, observer);
 }
-irg::render_stats render_into(irg::image_view<irg::rgba8> colour, irg::image<float>& depth,
-                              const irg::scene<double>& world, const irg::render_options& options) {
+irg::render_counts render_into(irg::image_view<irg::rgba8> colour, irg::image<float>& depth,
+                               const irg::scene<double>& world, const irg::render_options& options) {
   return draw(colour, depth, world, options, any_executor{}, any_observer{});
 }
 

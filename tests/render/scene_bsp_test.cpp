@@ -36,7 +36,7 @@ void check_pictures() {
     if (view >= 6) world.view.projection = irg::projection_kind::orthographic;
     if (view == 7) world.view.projection = irg::projection_kind::oblique;
     if (view >= 6) world.view.near_distance = T(-20), world.view.far_distance = T(20);
-    const irg::render_stats by_tree = irg::render_with(tree, world, {colour, depth});
+    const irg::render_counts by_tree = irg::render_with(tree, world, {colour, depth});
     irg::render(world, {other, other_depth});
     CHECK(by_tree.drawn > 500);
     for (int y = 0; y < height; ++y)

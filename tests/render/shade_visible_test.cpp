@@ -40,7 +40,7 @@ TEST_CASE("shade_visible: the ids of draw_visibility become the picture of shade
     const irg::triangle_batch<double> batches[] = {
         {&a, first.triangles, 0, 0}, {&b, second.triangles, static_cast<std::uint32_t>(first.triangles.size()), 1}};
     const auto culling = r.integer(0, 1) == 0 ? irg::face_culling::none : irg::face_culling::back;
-    const irg::draw_settings<irg::rgba8> settings{culling, {}, irg::clearing::before_drawing, {9, 8, 7, 6}};
+    const irg::draw_options<irg::rgba8> settings{culling, {}, irg::clearing::before_drawing, {9, 8, 7, 6}};
     irg::image<irg::rgba8> expected(width, height), colour(width, height);
     irg::image<float> expected_depth(width, height), id_depth(width, height), depth(width, height);
     irg::image<std::uint32_t> ids(width, height);
@@ -76,7 +76,7 @@ TEST_CASE("shade_visible: where two pieces of a triangle cover a pixel, the near
   }
   CHECK(most == 2);
   const irg::triangle_batch<double> batches[] = {{&vertices, triangle, 0, 0}};
-  const irg::draw_settings<irg::rgb<float>> settings{irg::face_culling::none, {}, irg::clearing::before_drawing};
+  const irg::draw_options<irg::rgb<float>> settings{irg::face_culling::none, {}, irg::clearing::before_drawing};
   irg::image<irg::rgb<float>> expected(74, 1), colour(74, 1);
   irg::image<float> expected_depth(74, 1), depth(74, 1);
   irg::image<std::uint32_t> ids(74, 1);

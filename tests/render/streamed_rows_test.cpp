@@ -87,9 +87,9 @@ TEST_CASE("streamed_rows: a picture that is streamed has the pixels of one that 
     indices.push_back({{3 * i, 3 * i + 1, 3 * i + 2}});
   }
   projected_vertices<float> vertices;
-  project_vertices<float>(positions, identity<float, 4>(), mapping, vertices);
+  project_vertices<float>(positions, identity_matrix<float, 4>(), mapping, vertices);
   const batch all[1] = {{&vertices, indices, 0, 0}};
-  draw_settings<rgba8> settings;
+  draw_options<rgba8> settings;
   settings.culling = face_culling::none;
   settings.clear = clearing::before_drawing;
   image<rgba8> picture(width, height), expected(width, height);

@@ -21,7 +21,7 @@ constexpr int size = 128;
 // What a window shows by the definition of the picture, and where that hangs by a hair: some face that covers the
 // centre as well has a depth within 8 units in the last place of the float that is seen.
 struct exact_picture {
-  irg::image<std::uint32_t> ids{size, size, irg::no_face};
+  irg::image<std::uint32_t> ids{size, size, irg::no_index};
   irg::image<char> ties{size, size, 0};
 };
 
@@ -180,7 +180,7 @@ TEST_CASE("render shows the exact picture, and the textbook's z-buffer the same 
     options.culling = irg::face_culling::none;
     const auto own = test::render(made.world(), size, size, options);
     test::canvas book(size, size);
-    irg::image<std::uint32_t> ids(size, size, irg::no_face);
+    irg::image<std::uint32_t> ids(size, size, irg::no_index);
     exact_picture exact;
     irg::render_with(textbook_method{&ids, &exact}, made.world(), {book.colour, book.depth}, options);
 
@@ -193,7 +193,7 @@ TEST_CASE("render shows the exact picture, and the textbook's z-buffer the same 
         const std::uint32_t id = exact.ids(x, y), colour = key(own.picture.colour(x, y));
         mixed += id_of.try_emplace(colour, id).first->second != id;
         mixed += colour_of.try_emplace(id, colour).first->second != colour;
-        covered += id != irg::no_face;
+        covered += id != irg::no_index;
         ties += exact.ties(x, y);
         if (ids(x, y) == id) {
           REQUIRE(own.picture.colour(x, y) == book.colour(x, y));

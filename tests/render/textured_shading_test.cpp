@@ -166,7 +166,7 @@ TEST_CASE("textured_shading: u and v within 4e-7 of the exact ones where the w o
     const batch one[1] = {{&projected, triangle, 0}};
     irg::image<textured_vertex> seen(size, size);
     irg::image<float> depth(size, size, 0.0f);
-    irg::draw_settings<textured_vertex> settings;
+    irg::draw_options<textured_vertex> settings;
     settings.culling = irg::face_culling::none;
     irg::shade_batches(irg::render_target{seen, depth}, {one, mapping}, recorder{{objects, {}}}, settings);
     // The exact weights, from the snapped positions and 1/w, in long double.
@@ -239,7 +239,7 @@ TEST_CASE("textured_shading: the fast way equals the plain one, several textures
         irg::project_vertices<double>(positions[1], to_clip, mapping)};
     const batch two[2] = {{&projected[0], triangles[0], 0, 0}, {&projected[1], triangles[1], 20, 1}};
     const irg::textured_shading shading{objects, textures};
-    const irg::draw_settings<rgba8> settings{irg::face_culling::none, {}, irg::clearing::before_drawing, {9, 8, 7, 6}};
+    const irg::draw_options<rgba8> settings{irg::face_culling::none, {}, irg::clearing::before_drawing, {9, 8, 7, 6}};
     const auto draw = [&]<class Order, class E>(Order, const E& executor) {
       irg::image<rgba8> colour(width, height);
       irg::image<float> depth(width, height, 0.5f);

@@ -17,7 +17,7 @@ using test::triangle_scene;
 
 // What a pixel shader is given.
 struct mark {
-  std::uint32_t number = irg::no_face;
+  std::uint32_t number = irg::no_index;
   float second = 0, third = 0, depth = 0;
   constexpr bool operator==(const mark&) const = default;
 };
@@ -42,7 +42,7 @@ struct batches_of {
 struct buffer {
   irg::image<std::uint32_t> ids;
   irg::image<float> depth;
-  irg::render_stats stats;
+  irg::render_counts stats;
 };
 
 template <class Order, class T, class E = irg::sequential>
@@ -82,7 +82,7 @@ void like_the_shaders(std::uint64_t seed, int scenes) {
         const mark& m = marks(x, y);
         REQUIRE(v.ids(x, y) == m.number);
         const auto at = irg::barycentrics_at<Order, T>(b.batches, b.mapping, m.number, x, y);
-        REQUIRE(at.has_value() == (m.number != irg::no_face));
+        REQUIRE(at.has_value() == (m.number != irg::no_index));
         if (!at) continue;
         REQUIRE(mark{m.number, at->weight1, at->weight2, at->depth} == m);
         ++seen;
@@ -113,12 +113,12 @@ TEST_CASE("draw_visibility: onto a buffer that is kept, later drawing wins only 
   const triangle_scene s = test::scene_maker(r, scene_kind::any, 100, 80)(40);
   const batches_of<double> b(s);
   const buffer whole = draw<irg::nearer_is_greater>(b, 100, 80, face_culling::none);
-  buffer parts{irg::image<std::uint32_t>(100, 80, irg::no_face), irg::image<float>(100, 80, 0.0f), {}};
+  buffer parts{irg::image<std::uint32_t>(100, 80, irg::no_index), irg::image<float>(100, 80, 0.0f), {}};
   // Numbers count from the first batch that is drawn.
   irg::triangle_batch<double> second[1] = {b.batches[1]};
   second[0].first_number = 0;
   const std::span<const irg::triangle_batch<double>> first(b.batches.data(), 1);
-  const irg::depth_settings keep{face_culling::none, {}, irg::clearing::none};
+  const irg::draw_depth_options keep{face_culling::none, {}, irg::clearing::none};
   irg::draw_visibility({parts.ids, parts.depth}, irg::projected_triangles{first, b.mapping}, keep);
   irg::draw_visibility({parts.ids, parts.depth},
                        irg::projected_triangles{std::span<const irg::triangle_batch<double>>(second), b.mapping}, keep);
@@ -126,7 +126,7 @@ TEST_CASE("draw_visibility: onto a buffer that is kept, later drawing wins only 
   for (int y = 0; y < 80; ++y)
     for (int x = 0; x < 100; ++x) {
       const std::uint32_t expected = whole.ids(x, y);
-      REQUIRE(parts.ids(x, y) == (expected == irg::no_face || expected < 20 ? expected : expected - 20));
+      REQUIRE(parts.ids(x, y) == (expected == irg::no_index || expected < 20 ? expected : expected - 20));
     }
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("barycentrics_at: nothing for numbers and pixels that are not the tria
   CHECK(!irg::barycentrics_at(batch, mapping, 5, 15, 0).has_value());
   CHECK(!irg::barycentrics_at(batch, mapping, 4, 4, 11).has_value());
   CHECK(!irg::barycentrics_at(batch, mapping, 6, 4, 11).has_value());
-  CHECK(!irg::barycentrics_at(batch, mapping, irg::no_face, 4, 11).has_value());
+  CHECK(!irg::barycentrics_at(batch, mapping, irg::no_index, 4, 11).has_value());
   CHECK(!irg::barycentrics_at<irg::nearer_is_greater, double>({}, mapping, 0, 4, 11).has_value());
   const auto at = *irg::barycentrics_at(batch, mapping, 5, 4, 11);
   CHECK(at.weight1 == 0.0625f);

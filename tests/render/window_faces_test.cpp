@@ -153,7 +153,7 @@ TEST_CASE("hidden-surface methods: what covers nothing is not drawn, whatever a 
   CHECK(one.drawn > 0);
   CHECK(one.drawn < 1000);
   CHECK(irg::render_with(nothing_at_all{}, irg::scene<double>{}, {nothing.colour, nothing.depth}) ==
-        irg::render_stats{});
+        irg::render_counts{});
 }
 
 TEST_CASE("hidden-surface methods: what lies in the far plane is not drawn, as by the z-buffer") {

@@ -27,7 +27,7 @@ constexpr auto eye_at_origin =
 
 struct drawn {
   picture lines;
-  irg::render_stats stats;
+  irg::render_counts stats;
 };
 
 template <class E = irg::sequential>
@@ -238,7 +238,7 @@ TEST_CASE("draw_wireframe: a corner less than 1/512 pixel beside the picture is 
 }
 
 TEST_CASE("draw_wireframe: empty meshes and pictures") {
-  CHECK(draw(mesh{}, 8, 8).stats == irg::render_stats{});
+  CHECK(draw(mesh{}, 8, 8).stats == irg::render_counts{});
   CHECK(draw(cube_before_the_eye(), 1, 1).lines(0, 0) == 1);
   CHECK(draw(cube_before_the_eye(), 8, 0).stats.pixels.shaded == 0);
 }

@@ -156,7 +156,7 @@ TEST_CASE("view_projection: where the view makes an entry overflow, there is non
   for (const camera& c : {slender, distant}) {
     const auto p = irg::view_projection_checked(c, 1);
     CHECK(p.status == irg::projection_status::not_representable);
-    CHECK(p.value == irg::identity<double, 4>());
+    CHECK(p.value == irg::identity_matrix<double, 4>());
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/scene/scene.hpp>
 
+#include <concepts>
 #include <type_traits>
 
 #include "support/check_both.hpp"
@@ -8,13 +9,14 @@
 namespace {
 
 TEST_CASE("scene: types") {
+  static_assert(std::equality_comparable<irg::scene<float>> && std::equality_comparable<irg::camera<double>>);
   static_assert(std::is_aggregate_v<irg::object<double>>);
   static_assert(std::is_aggregate_v<irg::scene<float>>);
   static_assert(std::is_same_v<decltype(irg::scene<double>::lights), std::vector<irg::light<double>>>);
 }
 
 TEST_CASE("scene: an object stands where it was modelled, white and without highlight, unless told otherwise") {
-  CHECK_BOTH(irg::object<double>{}.placement == irg::identity<double, 4>());
+  CHECK_BOTH(irg::object<double>{}.placement == irg::identity_matrix<double, 4>());
   CHECK_BOTH(irg::object<double>{}.surface.diffuse == irg::rgb<double>{1, 1, 1});
   CHECK_BOTH(irg::object<double>{}.surface.ambient == irg::rgb<double>{1, 1, 1});
   CHECK_BOTH(irg::object<float>{}.surface.specular == irg::rgb<float>{0, 0, 0});

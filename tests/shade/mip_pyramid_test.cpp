@@ -64,7 +64,7 @@ TEST_CASE("mip_pyramid: every level of every size has the mean of the texture, a
         for (int y = 0; y < h; ++y)
           for (int x = 0; x < w; ++x) sum += static_cast<double>(level(x, y));
         REQUIRE(std::abs(sum / (w * h) - mean) < 1e-6);
-        w = irg::greater(w / 2, 1), h = irg::greater(h / 2, 1);
+        w = irg::maximum(w / 2, 1), h = irg::maximum(h / 2, 1);
       }
       REQUIRE(p.levels.back().width() * p.levels.back().height() == 1);
     }

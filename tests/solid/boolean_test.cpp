@@ -34,7 +34,7 @@ constexpr boolean_operation all_operations[] = {boolean_operation::union_, boole
 constexpr body box(const place& low, const place& high) {
   body m = irg::shape_cube<double>();
   m.normals.clear();
-  for (auto& c : m.corners) c.normal = irg::mesh_corner::none;
+  for (auto& c : m.corners) c.normal = irg::no_index;
   for (place& p : m.positions)
     for (int i = 0; i < 3; ++i) p[i] = p[i] == 0 ? low[i] : high[i];
   return m;
@@ -68,7 +68,7 @@ int check_identities(const body& a, const body& b) {
   irg::solid_boolean_result<double> made[4];
   for (int i = 0; i < 4; ++i) {
     made[i] = solid_boolean(a, b, all_operations[i]);
-    REQUIRE(made[i].status == solid_boolean_status::ok);
+    REQUIRE(made[i]);
     REQUIRE(test::is_balanced(made[i].value));
     REQUIRE(made[i].faces.size() == made[i].value.face_count());
     REQUIRE(made[i].corners.size() == made[i].value.positions.size());
@@ -390,13 +390,14 @@ body shells(std::initializer_list<std::pair<body, bool>> list) {
   for (const auto& [shell, is_turned] : list) add_shell(all, shell, is_turned);
   return all;
 }
-constexpr std::uint32_t no_body = irg::solid_boolean_result<double>::none;
+constexpr std::uint32_t no_body = irg::no_index;
 
 // That a body is refused and named, first and second, by every operation; or taken.
 void check_culprit(const body& good, const body& bad, bool is_named = true) {
   for (const auto operation : all_operations) {
     const auto second = solid_boolean(good, bad, operation), first = solid_boolean(bad, good, operation);
     CHECK(second.status == solid_boolean_status::not_a_body);
+    CHECK(!second);
     CHECK(first.status == solid_boolean_status::not_a_body);
     CHECK(second.body == (is_named ? 1 : no_body));
     CHECK(first.body == (is_named ? 0 : no_body));

@@ -34,7 +34,7 @@ void check_faces(const tree& t, const ray& r, const spans& all) {
   for (const auto& span : all)
     for (const bool is_in : {true, false}) {
       const auto& face = is_in ? span.entered : span.left;
-      if (face.body == irg::csg_step::none) continue;
+      if (face.body == irg::no_index) continue;
       const auto& m = t.bodies[face.body];
       const auto at = [&](std::size_t k) { return m.positions[m.corner(face.face, k).position]; };
       const auto n = cross(at(1) - at(0), at(2) - at(0));
@@ -124,9 +124,9 @@ TEST_CASE("csg_spans: from a ray's low to its high end, in lengths of its direct
   CHECK_BOTH(along({{-2, 2, 2}, {2, 0, 0}})[0].left.body == 1);
   CHECK_BOTH(along({{-2, 2, 2}, {2, 0, 0}})[0].left.turned);
   CHECK_BOTH(along({{0.5, 2, 2}, {2, 0, 0}})[0].from == 0.0);
-  CHECK_BOTH(along({{0.5, 2, 2}, {2, 0, 0}})[0].entered.body == irg::csg_step::none);
+  CHECK_BOTH(along({{0.5, 2, 2}, {2, 0, 0}})[0].entered.body == irg::no_index);
   CHECK_BOTH(along({{0, 2, 2}, {1, 0, 0}, 0.0, 3.5})[1].to == 3.5);
-  CHECK_BOTH(along({{0, 2, 2}, {1, 0, 0}, 0.0, 3.5})[1].left.body == irg::csg_step::none);
+  CHECK_BOTH(along({{0, 2, 2}, {1, 0, 0}, 0.0, 3.5})[1].left.body == irg::no_index);
   CHECK_BOTH(along({{2, 2, 2}, {1, 1, 1}, 0.0, 0.5}).empty());  // in the hole
   CHECK_BOTH(along({{2, 2, 2}, {1, 1, 1}})[0].from == 1.0);  // through two corners
   CHECK_BOTH(along({{2, 2, 2}, {1, 1, 1}})[0].to == 2.0);

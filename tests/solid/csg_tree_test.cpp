@@ -118,12 +118,12 @@ TEST_CASE("csg_tree: nothing, bodies by themselves, the same body twice, steps t
   CHECK(faces(irg::csg_boolean(tree(), box(0, 0, 0, 1), boolean_operation::union_)) == 12);
   CHECK(faces(box(0, 0, 0, 1)) == 12);
   tree shared = box(0, 0, 0, 1);
-  shared.steps.push_back({irg::csg_step::none, boolean_operation::symmetric_difference, 0, 0});
+  shared.steps.push_back({irg::no_index, boolean_operation::symmetric_difference, 0, 0});
   CHECK(faces(shared) == 0);
-  shared.steps.push_back({irg::csg_step::none, boolean_operation::union_, 1, 0});
+  shared.steps.push_back({irg::no_index, boolean_operation::union_, 1, 0});
   CHECK(faces(shared) == 12);
   tree with_unused = irg::csg_boolean(box(0, 0, 0, 1), box(0.5, 0, 0, 1), boolean_operation::union_);
-  with_unused.steps.push_back({1, {}, irg::csg_step::none, irg::csg_step::none});
+  with_unused.steps.push_back({1, {}, irg::no_index, irg::no_index});
   const auto made = irg::to_mesh(with_unused);
   CHECK(made.value.face_count() == 12);
   CHECK(made.faces[0].body == 1);
@@ -216,7 +216,7 @@ TEST_CASE("csg_tree: a body that is none") {
 
 TEST_CASE("csg_tree: the steps of two trees put together name their own bodies and steps") {
   using T = irg::csg_tree<double>;
-  constexpr std::uint32_t none = irg::csg_step::none;
+  constexpr std::uint32_t none = irg::no_index;
   const T leaf(irg::mesh<double>{});
   const T both =
       irg::csg_boolean(irg::csg_boolean(leaf, leaf, boolean_operation::union_),

@@ -11,8 +11,8 @@ constexpr irg::bsp_data_3d<double> one_triangle() {
   irg::bsp_data_3d<double> d;
   d.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
   d.triangles = {{{0, 1, 2}}, {{0, 1, 3}}};  // the second one is flat, and not used
-  d.nodes = {{{0, irg::bsp_plane_3d::of_triangle}, 0, 1, irg::bsp_none, irg::bsp_none, irg::bsp_none}};
-  d.pieces = {{0, irg::bsp_none}};
+  d.nodes = {{{0, irg::bsp_plane_3d::of_triangle}, 0, 1, irg::no_index, irg::no_index, irg::no_index}};
+  d.pieces = {{0, irg::no_index}};
   return d;
 }
 template <class Change>
@@ -46,13 +46,13 @@ TEST_CASE("bsp_data_3d: each defect is found where it is") {
   CHECK_BOTH(is(after([](auto& d) { d.nodes[0].first = d.nodes[0].last = 0; }), shape, bsp_part::piece, 0));
   CHECK_BOTH(is(after([](auto& d) { d.pieces[0].triangle = 1; }), flat, bsp_part::piece, 0));
   CHECK_BOTH(is(after([](auto& d) { d.pieces[0].limits = 0; }), index, bsp_part::piece, 0));
-  CHECK_BOTH(is(after([](auto& d) { d.limits = {{1, 1, irg::bsp_none}}; }), index, bsp_part::limit, 0));
-  CHECK_BOTH(is(after([](auto& d) { d.limits = {{0, 2, irg::bsp_none}}; }), shape, bsp_part::limit, 0));
+  CHECK_BOTH(is(after([](auto& d) { d.limits = {{1, 1, irg::no_index}}; }), index, bsp_part::limit, 0));
+  CHECK_BOTH(is(after([](auto& d) { d.limits = {{0, 2, irg::no_index}}; }), shape, bsp_part::limit, 0));
   CHECK_BOTH(is(after([](auto& d) { d.limits = {{0, 1, 0}}; }), shape, bsp_part::limit, 0));
   // What is beside a node has no cells of its own.
   CHECK_BOTH(is(after([](auto& d) {
-                  d.nodes.push_back({{0, 3}, 1, 1, 2, irg::bsp_none, irg::bsp_none});
-                  d.nodes.push_back({{0, 3}, 1, 1, irg::bsp_none, irg::bsp_none, irg::bsp_none});
+                  d.nodes.push_back({{0, 3}, 1, 1, 2, irg::no_index, irg::no_index});
+                  d.nodes.push_back({{0, 3}, 1, 1, irg::no_index, irg::no_index, irg::no_index});
                   d.nodes[0].beside = 1;
                 }),
                 shape, bsp_part::node, 0));

@@ -29,7 +29,7 @@ static_assert(figure_pieces() == 73);
 TEST_CASE("bsp_tree_2d: the thesis' figure, from three eyes") {
   const S s[] = {{{0, 0}, {4, 0}}, {{1, 2}, {3, 2}}, {{1, -1}, {3, -1}}, {{2, -3}, {2, 3}}};
   const tree t(s, {.candidates = 1});
-  constexpr auto none = irg::bsp_none;
+  constexpr auto none = irg::no_index;
   const irg::bsp_piece_2d a{0, none, none}, b{1, none, none}, c{2, none, none};
   const irg::bsp_piece_2d lowest{3, none, 2}, low{3, 2, 0}, high{3, 0, 1}, highest{3, 1, none};
   const auto order = [&](const P& eye, irg::bsp_order which) {
@@ -60,7 +60,7 @@ TEST_CASE("bsp_tree_2d: 10^5 parallel segments stay in few levels") {
   int deepest = 0;
   for (std::size_t i = 0; i < t.nodes().size(); ++i) {  // children stand behind their parents
     for (const std::uint32_t child : {t.nodes()[i].left, t.nodes()[i].right})
-      if (child != irg::bsp_none) depth[child] = depth[i] + 1;
+      if (child != irg::no_index) depth[child] = depth[i] + 1;
     deepest = std::max(deepest, depth[i]);
   }
   CHECK(t.nodes().size() == 100000);
@@ -134,7 +134,7 @@ TEST_CASE("bsp_open_cells: growth, the line of a wall in a ring meets few of the
         ++looks;
         if (e.item != i) front(std::move(e));
       });
-      wrong += halves.back != irg::bsp_none;  // walls run counter-clockwise: all others are left of each
+      wrong += halves.back != irg::no_index;  // walls run counter-clockwise: all others are left of each
       wrong += all.size(halves.front) != static_cast<std::size_t>(left) - 1;
       cell = halves.front;
     }
@@ -177,10 +177,10 @@ TEST_CASE("bsp_tree_2d: pieces tile their segments, and lie on every ray in the 
     split += static_cast<int>(t.splits());
     std::vector<Q> length(s.size(), Q(0));
     const auto start = [&](const irg::bsp_piece_2d& p) {
-      return p.from == irg::bsp_none ? Q(0) : share(s[p.segment], s[p.from]);
+      return p.from == irg::no_index ? Q(0) : share(s[p.segment], s[p.from]);
     };
     const auto stop = [&](const irg::bsp_piece_2d& p) {
-      return p.to == irg::bsp_none ? Q(1) : share(s[p.segment], s[p.to]);
+      return p.to == irg::no_index ? Q(1) : share(s[p.segment], s[p.to]);
     };
     for (const auto& p : t.pieces()) {
       REQUIRE(start(p) < stop(p));
@@ -226,13 +226,13 @@ TEST_CASE("bsp_tree_2d: of seven parallel segments the middle one divides, where
     std::vector<int> depth(7, 1);
     for (std::size_t i = 0; i < 7; ++i)
       for (const std::uint32_t child : {t.nodes()[i].left, t.nodes()[i].right})
-        if (child != irg::bsp_none) depth[child] = depth[i] + 1;
+        if (child != irg::no_index) depth[child] = depth[i] + 1;
     CHECK(std::ranges::max(depth) == 3);
   }
 }
 
 TEST_CASE(
-    "bsp_tree_2d: of up to eight segments the one divides whose sides differ least, cuts counted as bsp_choice says") {
+    "bsp_tree_2d: of up to eight segments the one divides whose sides differ least, cuts counted as bsp_options says") {
   test::random r(23);
   for (int trial = 0; trial < 400; ++trial) {
     std::vector<S> few;
@@ -242,7 +242,7 @@ TEST_CASE(
       const double ax = coordinate(), ay = coordinate(), bx = coordinate(), by = coordinate();
       if (ax != bx || ay != by) few.push_back({{ax, ay}, {bx, by}});
     }
-    const irg::bsp_choice choice{8, 32, static_cast<std::size_t>(r.integer(0, 5))};
+    const irg::bsp_options choice{8, 32, static_cast<std::size_t>(r.integer(0, 5))};
     const auto cost_of = [&](const S& line) {
       int left = 0, right = 0, cut = 0;
       for (const S& s : few) {

@@ -18,8 +18,8 @@ namespace {
 
 using P = test::space_point;
 using tree = irg::bsp_tree_3d<double>;
-using irg::bsp_none;
 using irg::bsp_order;
+using irg::no_index;
 
 constexpr int order_from(const P& eye, bsp_order which) {
   // A floor, a wall through it, and a triangle beside both.
@@ -37,7 +37,7 @@ int depth_of(const tree& t) {
   int deepest = 0;
   for (std::size_t i = 0; i < depth.size(); ++i) {  // nodes below stand behind
     for (const std::uint32_t below : {t.data().nodes[i].front, t.data().nodes[i].back})
-      if (below != bsp_none) depth[below] = depth[i] + 1;
+      if (below != irg::no_index) depth[below] = depth[i] + 1;
     deepest = std::max(deepest, depth[i]);
   }
   return deepest;
@@ -207,7 +207,7 @@ TEST_CASE("bsp_tree_3d: slivers of one ulp") {
   const tree t(s.vertices, s.triangles, {.candidates = 1});
   CHECK(t.splits() >= 1);
   for (const auto& p : t.data().pieces)
-    for (std::uint32_t l = p.limits; l != bsp_none; l = t.data().limits[l].next)
+    for (std::uint32_t l = p.limits; l != irg::no_index; l = t.data().limits[l].next)
       CHECK(std::abs(t.data().limits[l].side) == 1);
 }
 
@@ -260,8 +260,8 @@ TEST_CASE("bsp_tree_3d: many nodes in one plane are visited in either order") {
   irg::bsp_data_3d<double> d{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}, {}, {}, {}};
   const std::uint32_t n = 15000;
   for (std::uint32_t i = 0; i < n; ++i) {
-    d.nodes.push_back({{0, 3}, i, i + 1, bsp_none, bsp_none, i + 1 < n ? i + 1 : bsp_none});
-    d.pieces.push_back({0, bsp_none});
+    d.nodes.push_back({{0, 3}, i, i + 1, irg::no_index, irg::no_index, i + 1 < n ? i + 1 : irg::no_index});
+    d.pieces.push_back({0, irg::no_index});
   }
   const tree t(d);
   for (const bsp_order which : {bsp_order::front_to_back, bsp_order::back_to_front}) {
@@ -326,7 +326,7 @@ TEST_CASE("bsp_tree_3d: a tree from its data is the same; what is wrong with dat
   CHECK(fault([](auto& d) { d.nodes[0].back = d.nodes[0].front; }).defect == bsp_defect::shape);
   CHECK(fault([](auto& d) { d.nodes[2].plane.axis = 4; }) == irg::bsp_fault{bsp_defect::index, bsp_part::node, 2});
   CHECK(fault([](auto& d) { d.nodes.push_back({}); }).defect == bsp_defect::shape);
-  CHECK(fault([](auto& d) { d.pieces.push_back({0, bsp_none}); }).part == bsp_part::piece);
+  CHECK(fault([](auto& d) { d.pieces.push_back({0, irg::no_index}); }).part == bsp_part::piece);
   CHECK(fault([](auto& d) { d.pieces[1].limits = 77777; }) == irg::bsp_fault{bsp_defect::index, bsp_part::piece, 1});
   CHECK(fault([](auto& d) { d.limits[0].next = 0; }) == irg::bsp_fault{bsp_defect::shape, bsp_part::limit, 0});
   CHECK(fault([](auto& d) { d.limits[1].side = 0; }) == irg::bsp_fault{bsp_defect::shape, bsp_part::limit, 1});
@@ -356,7 +356,7 @@ Q distance(const tree& t, const irg::bsp_plane_3d& plane, const place& p) {
 // Whether a piece holds a point of its triangle: 1 within, 0 on its border, -1 outside.
 int holds(const tree& t, const irg::bsp_piece_3d& piece, const place& p) {
   int in = 1;
-  for (std::uint32_t l = piece.limits; l != bsp_none; l = t.data().limits[l].next) {
+  for (std::uint32_t l = piece.limits; l != irg::no_index; l = t.data().limits[l].next) {
     const auto& limit = t.data().limits[l];
     in = std::min(in, distance(t, t.data().nodes[limit.node].plane, p).sign() * limit.side);
   }
@@ -475,7 +475,7 @@ TEST_CASE("bsp_tree_3d: no piece is empty, every limit cuts") {
     for (const auto& piece : t.data().pieces) {
       std::vector<place> ring;
       for (const std::uint32_t v : t.data().triangles[piece.triangle].v) ring.push_back(exactly(t.data().vertices[v]));
-      for (std::uint32_t l = piece.limits; l != bsp_none; l = t.data().limits[l].next) {
+      for (std::uint32_t l = piece.limits; l != irg::no_index; l = t.data().limits[l].next) {
         const auto& limit = t.data().limits[l];
         std::vector<place> kept;
         for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -39,7 +39,7 @@ constexpr int depth_of(const irg::bvh& tree, std::span<const irg::box<T, 3>> box
   int depth = 0;
   for (int k = 0; k < irg::bvh_node::width; ++k) {
     const std::uint32_t child = tree.nodes[at].child[k];
-    if (child == irg::bvh_node::none) continue;
+    if (child == irg::no_index) continue;
     if (!irg::bvh_node::is_leaf(child)) {
       if (child <= at || child >= tree.nodes.size()) return -1000;
       depth = std::max(depth, 1 + depth_of<T>(tree, boxes, seen, child));
@@ -71,7 +71,7 @@ inline irg::ray_counts asked_along_z(const irg::bvh& tree, double x, double y, d
     ++counts.nodes;
     for (int k = 0; k < irg::bvh_node::width; ++k) {
       const std::uint32_t child = node.child[k];
-      if (child == irg::bvh_node::none || !is_in(x, node.low(0, k), node.high(0, k)) ||
+      if (child == irg::no_index || !is_in(x, node.low(0, k), node.high(0, k)) ||
           !is_in(y, node.low(1, k), node.high(1, k)) || until * tree.scale < static_cast<double>(node.low(2, k)))
         continue;
       if (!irg::bvh_node::is_leaf(child)) {

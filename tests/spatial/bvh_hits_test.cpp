@@ -44,7 +44,7 @@ int missed(double s, int rays, std::uint64_t seed) {
       ray.direction[axis] = static_cast<T>(static_cast<double>(d) * s);
       ray.origin[axis] = static_cast<T>(static_cast<double>(at) - static_cast<double>(d * steps) * s);
     }
-    if (irg::is_empty(ray)) continue;
+    if (ray.empty()) continue;
     ray.low = ray.high = static_cast<T>(steps);
     missed += !finds(tree, ray, number);
     ray.low = 0;
@@ -52,7 +52,7 @@ int missed(double s, int rays, std::uint64_t seed) {
     missed += !finds(tree, ray, number);
     irg::ray<T, 3> slow = ray;
     for (int axis = 0; axis < 3; ++axis) slow.direction[axis] = static_cast<T>(slow.direction[axis] * T(0x1p-30));
-    if (!irg::is_empty(slow) && sizeof(T) == 8 && s > 1e-290) missed += !finds(tree, slow, number);
+    if (!slow.empty() && sizeof(T) == 8 && s > 1e-290) missed += !finds(tree, slow, number);
   }
   return missed;
 }
@@ -176,7 +176,7 @@ TEST_CASE("bvh: lanes and scalars go the same way") {
   for (int i = 0; i < 300; ++i) {
     const auto c = [&] { return static_cast<double>(r.integer(-60, 60)) * 0.5; };
     const R ray{{c(), c(), c()}, {c(), c(), c()}};
-    if (irg::is_empty(ray)) continue;
+    if (ray.empty()) continue;
     const auto way = [&]<class F>() {
       std::vector<std::uint32_t> leaves;
       irg::detail::box_ray b{};

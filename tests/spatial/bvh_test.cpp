@@ -16,10 +16,10 @@ namespace {
 using box = irg::box<double, 3>;
 using boxes_of = std::vector<box>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-constexpr irg::bvh_config by_area{}, by_place{irg::bvh_method::morton}, by_cuts{irg::bvh_method::spatial_splits};
+constexpr irg::bvh_options by_area{}, by_place{irg::bvh_method::morton}, by_cuts{irg::bvh_method::spatial_splits};
 
 template <class T>
-irg::bvh build(const std::vector<irg::box<T, 3>>& boxes, const irg::bvh_config& config = {}) {
+irg::bvh build(const std::vector<irg::box<T, 3>>& boxes, const irg::bvh_options& config = {}) {
   return irg::build_bvh(std::span<const irg::box<T, 3>>(boxes), config);
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("build_bvh: none, one to nine, flat ones, equal ones") {
     return test::depth_of<double>(tree, boxes, seen) == 0 && tree.order.size() >= 12 && curve.order.size() >= 12;
   }());
   CHECK(build(boxes_of{}).nodes.empty());
-  for (const irg::bvh_config& config : {by_area, by_place}) {
+  for (const irg::bvh_options& config : {by_area, by_place}) {
     test::random r(2);
     for (std::size_t n = 1; n < 10; ++n) {
       const boxes_of boxes = test::lattice_boxes<double>(r, n, 0.125);
@@ -58,7 +58,7 @@ TEST_CASE("build_bvh: none, one to nine, flat ones, equal ones") {
 }
 
 TEST_CASE("build_bvh: boxes that are none are left out") {
-  for (const irg::bvh_config& config : {by_area, by_place}) {
+  for (const irg::bvh_options& config : {by_area, by_place}) {
     test::random r(3);
     boxes_of boxes = test::lattice_boxes<double>(r, 50, 1);
     boxes[0] = {};
@@ -73,7 +73,7 @@ TEST_CASE("build_bvh: boxes that are none are left out") {
 }
 
 TEST_CASE("build_bvh: every scale, and depths that stay bounded where sizes do not") {
-  for (const irg::bvh_config& config : {by_area, by_place})
+  for (const irg::bvh_options& config : {by_area, by_place})
     for (const double s : {1.0, 0x1p-1070, 0x1p-1022, 1e-300, 1e300, 0x1p1019}) {
       test::random r(4);
       const boxes_of boxes = test::lattice_boxes<double>(r, 300, s);
@@ -94,7 +94,7 @@ TEST_CASE("build_bvh: every scale, and depths that stay bounded where sizes do n
 TEST_CASE("build_bvh: the same tree for every executor; refit") {
   test::random r(6);
   std::vector<irg::box<float, 3>> boxes = test::lattice_boxes<float>(r, 40000, 0.25, 200);
-  for (const irg::bvh_config& config : {by_area, by_place}) {
+  for (const irg::bvh_options& config : {by_area, by_place}) {
     irg::bvh tree = build(boxes, config);
     check_tree(tree, boxes);
     CHECK(tree == irg::build_bvh(std::span<const irg::box<float, 3>>(boxes), config, irg::parallel{3}));
@@ -110,8 +110,7 @@ TEST_CASE("build_bvh: the same tree for every executor; refit") {
 }
 
 std::size_t references(const irg::bvh& tree) {
-  return tree.order.size() -
-         static_cast<std::size_t>(std::count(tree.order.begin(), tree.order.end(), irg::bvh_node::none));
+  return tree.order.size() - static_cast<std::size_t>(std::count(tree.order.begin(), tree.order.end(), irg::no_index));
 }
 
 // How many of the boxes' corners and centres lie in no leaf with the box, or come with it more than once.
@@ -136,7 +135,7 @@ TEST_CASE(
     "build_bvh with spatial splits: parts cover their boxes, within the limit of references, for every executor") {
   static_assert([] {
     const boxes_of boxes(3, box{{0, 0, 0}, {1, 1, 1}});
-    return irg::build_bvh(std::span<const box>(boxes), by_cuts).order[2] != irg::bvh_node::none;
+    return irg::build_bvh(std::span<const box>(boxes), by_cuts).order[2] != irg::no_index;
   }());
   test::random r(7, test::in_every_round{});
   for (const double s : {1.0, 1e-30, 1e30, 0x1p-1060}) {
@@ -152,7 +151,7 @@ TEST_CASE(
       crossed.push_back(b);
     }
     for (const float spare : {0.0f, 0.5f, 1.0f, 4.0f, -1.0f}) {
-      irg::bvh_config config = by_cuts;
+      irg::bvh_options config = by_cuts;
       config.spare = spare;
       irg::bvh tree = build(crossed, config);
       const auto limit = static_cast<std::size_t>(300 * (1 + std::max(spare, 0.0f)));

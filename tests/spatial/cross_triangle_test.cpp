@@ -136,7 +136,7 @@ TEST_CASE(
     if (i % 3 == 2) r.low = 0.5;
     if (i % 7 == 0) r.direction = (a - r.origin) + (b - r.origin);
     const auto x = irg::intersect_triangle(r, a, b, c);
-    if (irg::is_empty(r)) {
+    if (r.empty()) {
       CHECK(!x);
       continue;
     }
@@ -196,7 +196,7 @@ TEST_CASE("intersect_triangle: through corners and sides of a closed surface, at
         if (const auto x =
                 irg::intersect_triangle(r, times(corner[f[0]], s), times(corner[f[1]], s), times(corner[f[2]], s)))
           around += x->side == irg::facing::back ? 1 : -1;
-      if (around != (irg::is_empty(r) ? 0 : 1)) ++wrong;
+      if (around != (r.empty() ? 0 : 1)) ++wrong;
     }
   CHECK(wrong == 0);
 }

@@ -42,7 +42,7 @@ triangles_of<T> triangles(const irg::mesh<double>& body, double s = 1) {
 }
 
 template <class T>
-irg::triangle_bvh<T> build(const triangles_of<T>& all, const irg::bvh_config& config = {}) {
+irg::triangle_bvh<T> build(const triangles_of<T>& all, const irg::bvh_options& config = {}) {
   return irg::triangle_bvh<T>(std::span<const std::array<irg::point<T, 3>, 3>>(all), config);
 }
 
@@ -253,7 +253,7 @@ TEST_CASE("triangle_bvh: of triangles crossed in one point the first is decided 
 // crossing, and how many do not cross outwards once more than inwards.
 template <class T>
 std::array<int, 2> leaks(const irg::mesh<double>& body, double s, const P& inside, int rays, std::uint64_t seed,
-                         const irg::bvh_config& config = {}) {
+                         const irg::bvh_options& config = {}) {
   const triangles_of<T> all = triangles<T>(body, s);
   const auto tree = build(all, config);
   test::random random(seed);
@@ -282,7 +282,7 @@ TEST_CASE("triangle_bvh: nothing gets out of a closed body through its corners a
   const auto sphere = irg::shape_sphere<double>({.slices = 24, .stacks = 12});
   const auto torus = irg::shape_torus<double>({.major_segments = 24, .minor_segments = 12});
   const int rays = trials(500, 100000);
-  const irg::bvh_config in_parts{irg::bvh_method::spatial_splits, 4, 4, 0};
+  const irg::bvh_options in_parts{irg::bvh_method::spatial_splits, 4, 4, 0};
   for (const double s : {1.0, 1e-3, 1e-30, 1e30, 1e-300, 1e300}) {
     const bool narrow = s < 1e-37 || s > 1e37;
     CHECK(leaks<double>(sphere, s, {0, 0, 0}, narrow ? rays / 10 : rays, 41) == std::array{0, 0});

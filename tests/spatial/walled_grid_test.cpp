@@ -18,8 +18,8 @@ using irg::walled_grid;
 static_assert(irg::WalledCellGrid<walled_grid>);
 
 // The source's table 2.
-TEST_CASE("wall_rules: which kinds block") {
-  const irg::wall_rules rules;
+TEST_CASE("wall_options: which kinds block") {
+  const irg::wall_options rules;
   CHECK(!rules(wall_kind::none));
   CHECK(rules(wall_kind::wall));
   CHECK(!rules(wall_kind::half_wall));
@@ -29,7 +29,7 @@ TEST_CASE("wall_rules: which kinds block") {
 }
 
 TEST_CASE("walled_grid: walls by cell and axis, and rules of one's own") {
-  irg::wall_rules rules;
+  irg::wall_options rules;
   rules.blocks[static_cast<std::size_t>(wall_kind::laser_field)] = true;
   walled_grid g(irg::grid_extent{4, 3, 2}, rules);
   CHECK(!g.walled());
@@ -70,7 +70,7 @@ TEST_CASE("walled_grid: every wall its own, whatever stands beside it; with_wall
   const walled_grid copy = irg::with_walls(g);
   int wrong = 0, blocking = 0;
   each_wall([&](const irg::cell3& c, int axis, wall_kind kind) {
-    const bool blocks = irg::wall_rules{}(kind);
+    const bool blocks = irg::wall_options{}(kind);
     blocking += blocks;
     wrong += g.wall(c, axis) != kind || g.has_wall(c, axis) != blocks || copy.has_wall(c, axis) != blocks ||
              copy.wall(c, axis) != (blocks ? wall_kind::wall : wall_kind::none) || copy.is_full(c) != g.is_full(c);

@@ -63,8 +63,7 @@ TEST_CASE("studio events: the first free number, whatever names there are, many 
   for (int i = 0; i < 300; ++i) {
     small.name = wanted[(i * i + i / 7) % 11];
     std::string free(small.name);
-    for (int n = 2; irg::find_body(s, free) != s.bodies.size(); ++n)
-      free = std::string(small.name) + '(' + std::to_string(n) + ')';
+    for (int n = 2; irg::find_body(s, free); ++n) free = std::string(small.name) + '(' + std::to_string(n) + ')';
     CHECK(apply_event(s, irg::load_body<double>{small}) == done);
     CHECK(s.bodies.back().body.name == irg::part_name(free));
     if (s.bodies.size() > 40) CHECK(apply_event(s, irg::drop_body{s.bodies[9].body.name}) == done);
@@ -154,7 +153,7 @@ TEST_CASE("studio events: looks of one body and of all") {
   refused(s, irg::shade_body{"x", irg::studio_shading::flat}, no_such_body);
   auto bare = cube("bare");
   bare.body.surfaces.clear();
-  bare.body.surface_of_face.assign(12, irg::stored_body<double>::no_surface);
+  bare.body.surface_of_face.assign(12, irg::no_index);
   CHECK(apply_event(s, bare) == done);
   CHECK(apply_event(s, irg::colour_body{"bare", {9, 9, 9, 255}}) == done);
   CHECK(s.bodies[3].body.surfaces.size() == 1);
@@ -287,7 +286,7 @@ TEST_CASE("studio events: where memory gives out, all bodies change or none") {
   for (int i = 0; i < 3; ++i) {
     auto e = cube();
     e.body.surfaces.clear();
-    for (std::uint32_t& f : e.body.surface_of_face) f = irg::stored_body<double>::no_surface;
+    for (std::uint32_t& f : e.body.surface_of_face) f = irg::no_index;
     CHECK(apply_event(plain, e) == done);
   }
   const auto try_each = [&](const auto& event) {

@@ -97,7 +97,7 @@ TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading
   const irg::rgb<double> light{irg::widened(decoded.r), irg::widened(decoded.g), irg::widened(decoded.b)};
   irg::object<double> o{irg::shape_teapot<double>({4}), irg::translation(irg::vec<double, 3>{0.5, -1, 0})};
   o.shape.normals.clear();
-  for (auto& c : o.shape.corners) c.normal = irg::mesh_corner::none;
+  for (auto& c : o.shape.corners) c.normal = irg::no_index;
   o.surface = {light, light, {}, 1};
   for (const auto kind :
        {irg::projection_kind::perspective, irg::projection_kind::orthographic, irg::projection_kind::oblique}) {
@@ -143,7 +143,7 @@ TEST_CASE("studio picture: bodies with Phong shading, whose shaders move as they
     CHECK(apply_event(s, moved(names[i], to.x, to.y, to.z)) == irg::studio_status::done);
     irg::object<double> o{irg::shape_cube<double>(), irg::translation(to)};
     o.shape.normals.clear();
-    for (auto& c : o.shape.corners) c.normal = irg::mesh_corner::none;
+    for (auto& c : o.shape.corners) c.normal = irg::no_index;
     o.surface = {light, light, {}, 1};
     world.objects.push_back(o);
   }
@@ -260,7 +260,7 @@ TEST_CASE("studio picture: faces have the colours of their surfaces") {
   auto b = irg::store_body("cube", irg::shape_cube<double>());
   b.surfaces = {{{255, 0, 0, 255}}, {{0, 255, 0, 255}}};
   for (std::size_t f = 0; f < b.surface_of_face.size(); ++f)
-    b.surface_of_face[f] = f % 3 == 2 ? irg::stored_body<double>::no_surface : static_cast<std::uint32_t>(f % 3);
+    b.surface_of_face[f] = f % 3 == 2 ? irg::no_index : static_cast<std::uint32_t>(f % 3);
   const studio s = studio_of({irg::load_body<double>{b}, irg::shade_body{{}, irg::studio_shading::none}});
   const pixels p = view_of(s);
   const int red = count(p, {255, 0, 0, 255}), green = count(p, {0, 255, 0, 255}),

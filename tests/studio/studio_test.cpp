@@ -22,7 +22,7 @@ TEST_CASE("studio: a body stands where its transformations before and after the 
   using transformation = irg::studio_transformation<double>;
   irg::studio<double> s;
   irg::studio_body<double> b;
-  CHECK(irg::placement_of(s, b) == irg::identity<double, 4>());
+  CHECK(irg::placement_of(s, b) == irg::identity_matrix<double, 4>());
   b.transformations[0] = {{irg::studio_map::translate, {1, 2, 3}}, {irg::studio_map::rotate_z, {30}}};
   const auto before = irg::placement_of(s, b);
   CHECK(before == irg::rotation_z(irg::radians(30.0)) * irg::translation(irg::vec<double, 3>{1, 2, 3}));

@@ -77,5 +77,5 @@ TEST_CASE("studio transformations: a list, the first one first") {
   const std::vector<transformation> list{{translate, {1, 0, 0}}, {scale, {2, 2, 2}}, {mirror, {}}};
   const auto m = irg::matrix_of(std::span<const transformation>(list));
   CHECK(irg::transform_point(m, irg::point<double, 3>{3, 4, 5}) == irg::point<double, 3>{8, 8, 10});
-  CHECK(irg::matrix_of(std::span<const transformation>()) == irg::identity<double, 4>());
+  CHECK(irg::matrix_of(std::span<const transformation>()) == irg::identity_matrix<double, 4>());
 }

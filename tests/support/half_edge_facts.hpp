@@ -12,7 +12,7 @@ namespace test {
 /// Whether half-edges, loops, faces and vertices agree with each other.
 template <class T>
 constexpr bool is_sound(const irg::half_edge_mesh<T>& b) {
-  constexpr std::uint32_t none = irg::half_edge::none;
+  constexpr std::uint32_t none = irg::no_index;
   std::vector<std::uint32_t> leaving(b.positions.size(), 0);
   for (std::uint32_t h = 0; h < b.half_edges.size(); ++h) {
     const irg::half_edge& e = b.half_edges[h];

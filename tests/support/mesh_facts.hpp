@@ -16,7 +16,7 @@ namespace test {
 template <class T>
 constexpr irg::mesh<T> without_normals(irg::mesh<T> m) {
   m.normals.clear();
-  for (irg::mesh_corner& c : m.corners) c.normal = irg::mesh_corner::none;
+  for (irg::mesh_corner& c : m.corners) c.normal = irg::no_index;
   return m;
 }
 

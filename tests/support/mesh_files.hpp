@@ -110,7 +110,7 @@ irg::mesh<T> random_mesh(random& r, int most_corners, attributes which) {
     const std::int64_t corners = r.integer(3, most_corners);
     for (std::int64_t k = 0; k < corners; ++k) {
       const auto v = static_cast<std::uint32_t>(r.integer(0, vertices - 1));
-      const std::uint32_t other = which == attributes::none ? irg::mesh_corner::none : v;
+      const std::uint32_t other = which == attributes::none ? irg::no_index : v;
       m.corners.push_back({v, other, other});
     }
     m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));

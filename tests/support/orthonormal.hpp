@@ -15,7 +15,7 @@ constexpr double from_orthonormal(const irg::mat<T, 4, 4>& m) {
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {
       const double off = static_cast<double>(gram(r, c)) - (r == c ? 1 : 0);
-      worst = irg::greater(worst, off < 0 ? -off : off);
+      worst = irg::maximum(worst, off < 0 ? -off : off);
     }
   return worst;
 }
@@ -28,7 +28,7 @@ constexpr double from_orthonormal(const irg::camera_frame<T>& f) {
       {{f.right.x, f.right.y, f.right.z, 0}, {f.up.x, f.up.y, f.up.z, 0}, {back.x, back.y, back.z, 0}, {0, 0, 0, 1}}});
   for (int i = 0; i < 3; ++i) {
     const double off = static_cast<double>(across[i] - back[i]);
-    worst = irg::greater(worst, off < 0 ? -off : off);
+    worst = irg::maximum(worst, off < 0 ? -off : off);
   }
   return worst;
 }
@@ -39,7 +39,7 @@ constexpr double worst_difference(const irg::mat<T, 4, 4>& a, const irg::mat<T, 
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c) {
       const double off = static_cast<double>(a(r, c)) - static_cast<double>(b(r, c));
-      worst = irg::greater(worst, off < 0 ? -off : off);
+      worst = irg::maximum(worst, off < 0 ? -off : off);
     }
   return worst;
 }

@@ -23,7 +23,7 @@ struct canvas {
 /// What is in a canvas after rendering, with the numbers that belong to it.
 struct rendered {
   canvas picture;
-  irg::render_stats stats;
+  irg::render_counts stats;
 };
 
 /// Runs the tasks from the last to the first: an executor of a user's own.
@@ -62,8 +62,8 @@ rendered render(const irg::scene<float>& world, int width, int height, const irg
                 const any_executor& executor = {}, const any_observer& observer = {});
 rendered render(irg::prepared_scene<double>& world, int width, int height, const irg::render_options& options = {},
                 const any_executor& executor = {}, const any_observer& observer = {});
-irg::render_stats render_into(irg::image_view<irg::rgba8> colour, irg::image<float>& depth,
-                              const irg::scene<double>& world, const irg::render_options& options = {});
+irg::render_counts render_into(irg::image_view<irg::rgba8> colour, irg::image<float>& depth,
+                               const irg::scene<double>& world, const irg::render_options& options = {});
 
 /// For constant expressions.
 template <class T>

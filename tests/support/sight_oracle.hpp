@@ -65,7 +65,7 @@ bool way_exists(const G& g, const irg::cell3& origin, const int (&sign)[3], unsi
 }
 
 template <class G>
-bool sees(const G& g, const irg::cell3& a, const irg::cell3& b, const irg::sight_rules& rules = {}) {
+bool sees(const G& g, const irg::cell3& a, const irg::cell3& b, const irg::line_of_sight_options& rules = {}) {
   const irg::grid_extent e = irg::extent_of(g);
   if (!e.holds(a) || !e.holds(b)) return false;
   if (rules.ends == irg::end_cells::tested && (irg::is_full(g, a) || irg::is_full(g, b))) return false;

@@ -33,7 +33,7 @@ inline rational_point on_way(const rational_point& a, const rational_point& b, c
 
 /// What a corner of a combination is, in rationals.
 inline rational_point exact_corner(const irg::solid_corner_origin& c, const std::vector<rational_point>& p) {
-  constexpr std::uint32_t none = irg::solid_corner_origin::none;
+  constexpr std::uint32_t none = irg::no_index;
   if (c.of[1] == none) return p[c.of[0]];
   if (c.of[5] != none) {
     const auto normal = [&](std::size_t k) {

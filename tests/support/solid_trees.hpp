@@ -23,7 +23,7 @@ using solid_tree = irg::csg_tree<double>;
 constexpr solid_tree box(double x, double y, double z, double size) {
   auto m = irg::shape_cube<double>();
   m.normals.clear();
-  for (auto& c : m.corners) c.normal = irg::mesh_corner::none;
+  for (auto& c : m.corners) c.normal = irg::no_index;
   for (auto& p : m.positions) p = {p.x * size + x, p.y * size + y, p.z * size + z};
   return solid_tree(m);
 }
@@ -74,9 +74,9 @@ template <class In>
 bool has(const solid_tree& tree, const In& in) {
   std::vector<bool> is;
   for (const auto& step : tree.steps) {
-    const auto at = [&](std::uint32_t s) -> bool { return s != irg::csg_step::none && is[s]; };
+    const auto at = [&](std::uint32_t s) -> bool { return s != irg::no_index && is[s]; };
     const bool a = at(step.first), b = at(step.second);
-    if (step.body != irg::csg_step::none)
+    if (step.body != irg::no_index)
       is.push_back(in(step.body));
     else
       is.push_back(step.operation == irg::boolean_operation::union_         ? a || b

@@ -140,15 +140,15 @@ public:
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
     for (const snapped_triangle& t : triangles_) {
       const auto low = [&](auto member) {
-        return irg::lesser(irg::lesser(t.v[0].position.*member, t.v[1].position.*member), t.v[2].position.*member);
+        return irg::minimum(irg::minimum(t.v[0].position.*member, t.v[1].position.*member), t.v[2].position.*member);
       };
       const auto high = [&](auto member) {
-        return irg::greater(irg::greater(t.v[0].position.*member, t.v[1].position.*member), t.v[2].position.*member);
+        return irg::maximum(irg::maximum(t.v[0].position.*member, t.v[1].position.*member), t.v[2].position.*member);
       };
-      const int right = irg::lesser(width, high(&irg::subpixel::x) / 256 + 2),
-                bottom = irg::lesser(height, high(&irg::subpixel::y) / 256 + 2);
-      for (int y = irg::greater(0, low(&irg::subpixel::y) / 256 - 2); y < bottom; ++y)
-        for (int x = irg::greater(0, low(&irg::subpixel::x) / 256 - 2); x < right; ++x) add(t, x, y);
+      const int right = irg::minimum(width, high(&irg::subpixel::x) / 256 + 2),
+                bottom = irg::minimum(height, high(&irg::subpixel::y) / 256 + 2);
+      for (int y = irg::maximum(0, low(&irg::subpixel::y) / 256 - 2); y < bottom; ++y)
+        for (int x = irg::maximum(0, low(&irg::subpixel::x) / 256 - 2); x < right; ++x) add(t, x, y);
     }
   }
 

@@ -28,7 +28,7 @@ struct triangle_scene {
 struct id_picture {
   irg::image<std::uint32_t> id;
   irg::image<float> depth;
-  irg::render_stats stats;
+  irg::render_counts stats;
   constexpr bool same(const id_picture& o) const { return id == o.id && depth == o.depth; }
 };
 
@@ -58,7 +58,7 @@ constexpr id_picture visible_ids(const triangle_scene& s, irg::face_culling cull
   const auto shader = [](std::uint32_t triangle, irg::facing) {
     return irg::solid_shader<std::uint32_t>{triangle + 1};
   };
-  const irg::draw_settings<std::uint32_t> settings{culling, skip, irg::clearing::before_drawing, 0};
+  const irg::draw_options<std::uint32_t> settings{culling, skip, irg::clearing::before_drawing, 0};
   p.stats = irg::shade_triangles<Order, T>(irg::render_target{p.id, p.depth}, {vertices, s.triangles, mapping}, shader,
                                            settings, executor);
   return p;

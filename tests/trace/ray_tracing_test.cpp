@@ -39,14 +39,15 @@ template <class Order>
 int differing(test::random& r, int round, std::int64_t* ties = nullptr) {
   constexpr int size = 12;
   const auto all = faces(r, static_cast<int>(r.integer(0, 30)), size, round % 2 == 0);
-  irg::image<std::uint32_t> ids(size, size, irg::no_face);
+  irg::image<std::uint32_t> ids(size, size, irg::no_index);
   irg::draw_counts counts;
   irg::ray_tracing<Order>{}(all, {0, 0, 7, size}, ids, counts);
   irg::ray_tracing<Order>{}(all, {7, 0, size, size}, ids, counts);
   int different = 0;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
-      different += ids(x, y) != irg::picture_face_at<Order>(std::span<const irg::screen_face>(all), x, y);
+      different += ids(x, y) !=
+                   irg::picture_face_at<Order>(std::span<const irg::screen_face>(all), x, y).value_or(irg::no_index);
   if (ties != nullptr) *ties += counts.ties;
   return different;
 }
@@ -64,19 +65,19 @@ TEST_CASE("ray_tracing: the picture, in each pixel of random scenes, with ties a
 
 TEST_CASE("ray_tracing: drawing order, no faces, faces without area") {
   static_assert([] {
-    irg::image<std::uint32_t> ids(2, 2, irg::no_face);
+    irg::image<std::uint32_t> ids(2, 2, irg::no_index);
     irg::draw_counts counts;
     const irg::screen_vertex a{{0, 0}, 0.5f}, b{{512, 0}, 0.5f}, c{{0, 512}, 0.5f};
     const std::vector<irg::screen_face> one{irg::make_screen_face(a, b, c, 7), irg::make_screen_face(a, a, b, 8)};
     irg::ray_tracing<>{}(one, {0, 0, 2, 2}, ids, counts);
-    return ids(0, 0) == 7 && ids(1, 1) == irg::no_face && counts.tested == 1;
+    return ids(0, 0) == 7 && ids(1, 1) == irg::no_index && counts.tested == 1;
   }());
   test::random r(52);
   CHECK(differing<irg::drawing_order>(r, 0) == 0);
-  irg::image<std::uint32_t> ids(3, 3, irg::no_face);
+  irg::image<std::uint32_t> ids(3, 3, irg::no_index);
   irg::draw_counts counts;
   irg::ray_tracing<>{}(std::vector<irg::screen_face>{}, {0, 0, 3, 3}, ids, counts);
-  CHECK(ids(1, 1) == irg::no_face);
+  CHECK(ids(1, 1) == irg::no_index);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "support/rational.hpp"
 
 using irg::hpoint;
-using irg::identity;
+using irg::identity_matrix;
 using irg::map_orientation;
 using irg::mat;
 using irg::mesh;
@@ -104,8 +104,8 @@ TEST_CASE("affine: by hand") {
   CHECK_BOTH(translation(V{1, 2, 3}) * P{4, 5, 6} == hpoint<double, 3>{5, 7, 9, 1});
   CHECK_BOTH(transform_vector(translation(V{1, 2, 3}), V{4, 5, 6}) == V{4, 5, 6});
   CHECK_BOTH(transform_point(scaling(2.0), P{4, 5, 6}) == P{8, 10, 12});
-  CHECK_BOTH(rotation_x(0.0) == identity<double, 4>());
-  CHECK_BOTH(linear_part(translation(V{1, 2, 3})) == identity<double, 3>());
+  CHECK_BOTH(rotation_x(0.0) == identity_matrix<double, 4>());
+  CHECK_BOTH(linear_part(translation(V{1, 2, 3})) == identity_matrix<double, 3>());
   static_assert(std::same_as<decltype(rotation_z(1.0f)), mat<float, 4, 4>>);
   static_assert(std::same_as<decltype(translation(std::array<float, 3>{})), mat<float, 4, 4>>);
 
@@ -159,11 +159,11 @@ TEST_CASE("affine: rotations are orthonormal and agree with each other") {
         worst_entry = std::max(
             worst_entry, static_cast<double>(std::abs(turn + (1 - c) * n[x] * n[y] - static_cast<wide>(a(y, x)))));
       }
-    worst = std::max({worst, distance(transpose(a) * a, identity<double, 3>()), std::abs(determinant(a) - 1)});
+    worst = std::max({worst, distance(transpose(a) * a, identity_matrix<double, 3>()), std::abs(determinant(a) - 1)});
     const auto f = linear_part(
         rotation(vec<float, 3>{static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)},
                  static_cast<float>(angle)));
-    worst_float = std::max(worst_float, distance(transpose(f) * f, identity<float, 3>()));
+    worst_float = std::max(worst_float, distance(transpose(f) * f, identity_matrix<float, 3>()));
     worst_axis = std::max(worst_axis, distance(transform_vector(m, axis), axis));
     // Another way: turn the axis into z by two coordinate rotations, turn about z, turn back.
     const double azimuth = std::atan2(axis.y, axis.x), polar = std::atan2(std::hypot(axis.x, axis.y), axis.z);
@@ -198,7 +198,7 @@ TEST_CASE("affine: the order of composition matters; inverses undo") {
     CHECK(undo.has_value());
     if (!undo) continue;
     const double least = std::min({std::abs(factors.x), std::abs(factors.y), std::abs(factors.z)});
-    CHECK(distance(*undo * m, identity<double, 4>()) <= 1e-14 / least);
+    CHECK(distance(*undo * m, identity_matrix<double, 4>()) <= 1e-14 / least);
     CHECK(transform_vector(*undo, V{0, 0, 0}) == V{0, 0, 0});
     CHECK(((*undo)(3, 0) == 0 && (*undo)(3, 1) == 0 && (*undo)(3, 2) == 0 && (*undo)(3, 3) == 1));
   }
@@ -230,7 +230,7 @@ TEST_CASE("affine: normals stay at right angles and outside, under non-uniform s
 TEST_CASE("affine: the normal matrix is the inverse transpose times a positive factor, in rationals") {
   test::random r(4);
   for (int i = 0; i < 500; ++i) {
-    auto m = identity<rational, 4>();
+    auto m = identity_matrix<rational, 4>();
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 4; ++x) m(y, x) = r.integer(-5, 5);
     const auto undo = inverse(linear_part(m));
@@ -268,14 +268,14 @@ TEST_CASE("affine: meshes") {
   CHECK(mirrored.positions[2] == point<float, 3>{-2, 1, 0});
   CHECK(transformed(transformed(pentagon, scaling(vec<float, 3>{-1, 1, 1})), scaling(vec<float, 3>{-1, 1, 1})) ==
         pentagon);
-  CHECK(transformed(mesh<float>{}, identity<float, 4>()) == mesh<float>{});
+  CHECK(transformed(mesh<float>{}, identity_matrix<float, 4>()) == mesh<float>{});
 }
 
 TEST_CASE("affine: degenerate and hostile") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  CHECK_BOTH(rotation(V{0, 0, 0}, 1.0) == identity<double, 4>());
-  CHECK(rotation(V{nan, 0, 0}, 1.0) == identity<double, 4>());
-  CHECK(rotation(V{inf, 0, 0}, 1.0) == identity<double, 4>());
+  CHECK_BOTH(rotation(V{0, 0, 0}, 1.0) == identity_matrix<double, 4>());
+  CHECK(rotation(V{nan, 0, 0}, 1.0) == identity_matrix<double, 4>());
+  CHECK(rotation(V{inf, 0, 0}, 1.0) == identity_matrix<double, 4>());
   CHECK(distance(rotation(V{0, 0, 1e-320}, 1.0), rotation_z(1.0)) <= 0x1p-52);
   CHECK(distance(rotation(V{1e308, 1e308, 1e308}, 1.0), rotation(V{1, 1, 1}, 1.0)) <= 0x1p-52);
   // Flattened onto the plane z = 0, every normal that has one becomes that plane's.
@@ -301,8 +301,8 @@ TEST_CASE("affine: degenerate and hostile") {
   // Nearly flat: the sign is that of the entries as they are.
   test::random r(6);
   for (int i = 0; i < 200; ++i) {
-    mat<float, 4, 4> m = identity<float, 4>();
-    auto exact = identity<rational, 4>();
+    mat<float, 4, 4> m = identity_matrix<float, 4>();
+    auto exact = identity_matrix<rational, 4>();
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 3; ++x) {
         m(y, x) = static_cast<float>(3 * y + x + 1) * 0.1f + static_cast<float>(r.integer(-1, 1)) * 0x1p-23f;

@@ -132,7 +132,7 @@ TEST_CASE("axonometry: impossible and degenerate input, in every life") {
   CHECK_BOTH(foreshortening(V{0, 0, 0}) == V{0, 0, 0});
   CHECK_BOTH(foreshortening(V{nan, 0, 1}) == V{0, 0, 0});
   CHECK_BOTH(foreshortening(V{0, 0, 5}) == V{1, 1, 0});
-  CHECK_BOTH(axonometric_view(V{0, 0, 0}) == irg::identity<double, 4>());
+  CHECK_BOTH(axonometric_view(V{0, 0, 0}) == irg::identity_matrix<double, 4>());
   CHECK_BOTH(irg::is_finite(axonometric_view(V{0, 1, 0})));
   CHECK_BOTH(irg::is_finite(axonometric_view(V{nan, 1, 0})));
   constexpr auto at_compile_time = irg::trimetric<float>();

@@ -53,7 +53,7 @@ TEST_CASE("camera_frame: by hand, either handedness, in every life") {
   CHECK_BOTH(transform_point(view_matrix(from_x, handedness::left), P{0, 2, -1}) == P{1, 2, 5});
   CHECK_BOTH(transform_point(camera_to_world(from_x, handedness::left), P{1, 2, 5}) == P{0, 2, -1});
   CHECK_BOTH(transform_point(camera_to_world(from_x), P{1, 2, -5}) == P{0, 2, -1});
-  CHECK_BOTH(view_matrix(frame{}) == irg::identity<double, 4>());
+  CHECK_BOTH(view_matrix(frame{}) == irg::identity_matrix<double, 4>());
   CHECK_BOTH(irg::orientation_of(view_matrix(from_x)) == irg::map_orientation::preserving);
   CHECK_BOTH(irg::orientation_of(view_matrix(from_x, handedness::left)) == irg::map_orientation::reversing);
   volatile double five = 5;
@@ -94,8 +94,8 @@ TEST_CASE("camera_frame: M = R * T equals look_at, its inverse undoes it, its fr
     CHECK(view_matrix(f) == look_at(eye, target, up));
     CHECK(view_matrix(f, handedness::left) == change_handedness(look_at(eye, target, up)));
     const auto sense = i % 2 ? handedness::left : handedness::right;
-    inverse_off = std::max(
-        inverse_off, worst_difference(view_matrix(f, sense) * camera_to_world(f, sense), irg::identity<double, 4>()));
+    inverse_off = std::max(inverse_off, worst_difference(view_matrix(f, sense) * camera_to_world(f, sense),
+                                                         irg::identity_matrix<double, 4>()));
     const frame back = frame_of_view(view_matrix(f, sense), sense);
     CHECK((back.right == f.right && back.up == f.up && back.forward == f.forward));
     for (int k = 0; k < 3; ++k) position_off = std::max(position_off, std::abs(back.position[k] - eye[k]));

@@ -88,7 +88,7 @@ TEST_CASE("central projection: bad distances and numbers, in every life") {
   static_assert(central_projection_checked(-1.0, plane).status == projection_status::bad_distance);
   static_assert(central_projection_checked(nan, eye).status == projection_status::bad_distance);
   static_assert(central_projection_checked(inf, eye).status == projection_status::bad_distance);
-  static_assert(central_projection_checked(inf, eye).value == irg::identity<double, 4>());
+  static_assert(central_projection_checked(inf, eye).value == irg::identity_matrix<double, 4>());
   static_assert(central_projection_checked(R(-1, 2), eye).status == projection_status::bad_distance);
   for (const auto o : {eye, plane}) {
     CHECK(!project_central(D3{1, 1, 1}, 0, o));

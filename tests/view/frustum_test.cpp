@@ -306,7 +306,7 @@ TEST_CASE("frustum: hostile input") {
   CHECK(!frustum_corners(unknown));
   CHECK(!frustum_corners(frustum_of(mat<double, 4, 4>{})));
   CHECK(side_of(frustum_of(mat<double, 4, 4>{}), P{0, 0, 0}) == crossing);
-  CHECK(!frustum_corners(frustum_of(irg::identity<double, 4>() * 0.0)));
+  CHECK(!frustum_corners(frustum_of(irg::identity_matrix<double, 4>() * 0.0)));
   // Entries from one end of the range to the other.
   const auto tiny = frustum_of(right_angle * 0x1p-1000), huge = frustum_of(right_angle * 0x1p1000);
   for (int k = 0; k < 6; ++k) CHECK((tiny.planes[k] == f.planes[k] && huge.planes[k] == f.planes[k]));

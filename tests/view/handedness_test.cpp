@@ -56,5 +56,5 @@ TEST_CASE("handedness: planes and maps of the space into itself") {
   CHECK(in_other_handedness(other) == turn);
   constexpr irg::plane<double> plane{1, 2, 3, 4};
   CHECK_BOTH(plane_value(change_handedness(plane), change_handedness(P{5, 6, 7})) == plane_value(plane, P{5, 6, 7}));
-  CHECK_BOTH(in_other_handedness(irg::identity<double, 4>()) == irg::identity<double, 4>());
+  CHECK_BOTH(in_other_handedness(irg::identity_matrix<double, 4>()) == irg::identity_matrix<double, 4>());
 }

@@ -13,7 +13,7 @@
 #include "support/own_types.hpp"
 #include "support/random.hpp"
 
-using irg::identity;
+using irg::identity_matrix;
 using irg::look_at;
 using irg::look_at_checked;
 using irg::look_at_status;
@@ -57,7 +57,7 @@ TEST_CASE("look_at: by hand, in every life") {
   CHECK(look_at(P{one, 2 * one, 3 * one}, P{-4 * one, 0.5, 2}, V{0.1 * one, 1, 0.2}) == general);
   CHECK(look_at_checked(P{0, 5 * one, 0}, P{0, 0, 0}, V{0, one, 0}) == straight_down);
   static_assert(straight_down.status == look_at_status::up_parallel);
-  static_assert(hostile.status == look_at_status::not_finite && hostile.value == identity<double, 4>());
+  static_assert(hostile.status == look_at_status::not_finite && hostile.value == identity_matrix<double, 4>());
   static_assert(std::same_as<decltype(look_at(std::array<float, 3>{}, std::array<float, 3>{}, std::array<float, 3>{})),
                              mat<float, 4, 4>>);
 }

@@ -46,7 +46,8 @@ TEST_CASE("oblique: cavalier keeps lengths along z, cabinet halves them, whateve
   for (const double factor : {irg::cavalier_factor<double>, irg::cabinet_factor<double>, 0.8, -1.5, 3.0})
     for (int degrees = -180; degrees <= 360; degrees += 15) {
       const double a = irg::radians(static_cast<double>(degrees));
-      const auto m = oblique_shear_checked(oblique_depth<double>{a, factor, -7}).value;
+      const auto m = irg::oblique_shear(oblique_depth<double>{a, factor, -7});
+      CHECK(m == oblique_shear_checked(oblique_depth<double>{a, factor, -7}).value);
       const auto at = [&](P p) { return transform_point(m, p); };
       const P o = at({0, 0, -7}), x = at({1, 0, -7}), y = at({0, 1, -7}), back = at({0, 0, -8});
       CHECK(std::hypot(o.x, o.y) <= 4e-15 * std::abs(factor));
@@ -85,7 +86,7 @@ TEST_CASE("oblique: what is refused") {
   const auto status = [](oblique_depth<double> how, view_window<double> w, double n, double f, double z) {
     how.plane_z = z;
     const auto p = oblique_checked(how, w, n, f);
-    CHECK((p.status == ok || p.value == irg::identity<double, 4>()));
+    CHECK((p.status == ok || p.value == irg::identity_matrix<double, 4>()));
     return p.status;
   };
   for (const double bad : {not_a_number, inf, -inf}) {

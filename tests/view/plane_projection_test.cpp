@@ -177,12 +177,16 @@ TEST_CASE("shadow_matrix: what is between light and floor throws a shadow, nothi
   }
   CHECK(shadow_matrix_checked(floor, hpoint<double, 3>{1, 2, 3, 0}) ==
         parallel_projection_onto_checked(floor, vec<double, 3>{-1, -2, -3}));
+  CHECK_BOTH(irg::shadow_matrix(plane<double>{0, 2, 0, 0}, hpoint<double, 3>{1, 2, 3, 0}) ==
+             irg::parallel_projection_onto(plane<double>{0, 2, 0, 0}, vec<double, 3>{-1, -2, -3}));
+  CHECK_BOTH(irg::central_projection_onto(plane<double>{0, 2, 0, 0}, D{0, 4, 0}) ==
+             irg::projection_onto_plane(plane<double>{0, 2, 0, 0}, hpoint<double, 3>{0, 4, 0, 1}));
 }
 
 TEST_CASE("plane_projection: singular and hostile cases, each one classified") {
   const auto status = [](const plane<double>& o, const hpoint<double, 3>& eye) {
     const auto m = projection_onto_plane_checked(o, eye);
-    CHECK((m.status == ok || m.value == irg::identity<double, 4>()));
+    CHECK((m.status == ok || m.value == irg::identity_matrix<double, 4>()));
     return m.status;
   };
   constexpr plane<double> z0{0, 0, 1, 0};

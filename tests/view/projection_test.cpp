@@ -11,7 +11,7 @@
 
 using irg::depth_range;
 using irg::hpoint;
-using irg::identity;
+using irg::identity_matrix;
 using irg::mat;
 using irg::orthographic;
 using irg::orthographic_checked;
@@ -165,7 +165,7 @@ TEST_CASE("perspective of a window: what is refused") {
   using enum projection_status;
   const auto status = [](irg::view_window<double> w, double d, double n, double f) {
     const auto p = perspective_checked(w, d, n, f);
-    CHECK((p.status == ok || p.value == identity<double, 4>()));
+    CHECK((p.status == ok || p.value == identity_matrix<double, 4>()));
     return p.status;
   };
   constexpr irg::view_window<double> w{-1, 1, -1, 1};
@@ -248,7 +248,7 @@ TEST_CASE("projections: what is refused, and extreme ranges") {
   using enum projection_status;
   const auto status = [](double angle, double aspect, double n, double f) {
     const auto p = perspective_checked(angle, aspect, n, f);
-    CHECK((p.status == ok || p.value == identity<double, 4>()));
+    CHECK((p.status == ok || p.value == identity_matrix<double, 4>()));
     return p.status;
   };
   for (const double angle : {0.0, -0.0, -1.0, pi<double>, 4.0, inf, -inf, not_a_number})
@@ -284,7 +284,7 @@ TEST_CASE("projections: what is refused, and extreme ranges") {
 
   const auto box = [](double l, double r, double b, double t, double n, double f) {
     const auto p = orthographic_checked(irg::view_window<double>{l, r, b, t}, n, f);
-    CHECK((p.status == ok || p.value == identity<double, 4>()));
+    CHECK((p.status == ok || p.value == identity_matrix<double, 4>()));
     return p.status;
   };
   CHECK(box(1, 1, 0, 1, 0, 1) == bad_window);
@@ -307,13 +307,13 @@ TEST_CASE("projections: what is refused, and extreme ranges") {
 }
 
 TEST_CASE("checked_projection: the matrix, or the identity where an entry overflowed") {
-  CHECK_BOTH(irg::checked_projection(identity<double, 4>()).ok());
+  CHECK_BOTH(irg::checked_projection(identity_matrix<double, 4>()).ok());
   constexpr auto with = [](double entry) {
-    auto m = identity<double, 4>();
+    auto m = identity_matrix<double, 4>();
     m(2, 3) = entry;
     return irg::checked_projection(m);
   };
   CHECK_BOTH(with(-1e300).value(2, 3) == -1e300);
   CHECK_BOTH(with(inf).status == projection_status::not_representable);
-  CHECK_BOTH(with(not_a_number).value == identity<double, 4>());
+  CHECK_BOTH(with(not_a_number).value == identity_matrix<double, 4>());
 }

@@ -35,10 +35,11 @@ constexpr plan comb(int teeth) {
 
 constexpr bool one_room() {
   const auto c = guarded({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}});
-  return c.status == guard_status::ok && c.guards.size() == 1 && c.at_least == 1 && c.parts.size() == 1;
+  return c && c.status == guard_status::ok && c.guards.size() == 1 && c.at_least == 1 && c.parts.size() == 1;
 }
 constexpr bool degenerate() {
   return guarded({}).guards.empty() && guarded({{}, {{1, 1}}, {{2, 2}, {2, 2}}}).guards.empty() &&
+         !guarded({{{0, 0}, {1, 1}, {2, 2}}}) &&
          guarded({{{0, 0}, {1, 1}, {2, 2}}}).status == guard_status::rings_cross &&
          guarded({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}).status == guard_status::rings_cross;
 }

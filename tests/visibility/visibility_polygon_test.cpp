@@ -30,7 +30,7 @@ constexpr bool shadow_of_one_wall() {
   const vertex want[] = {{{1, 1}, sight_stop::nothing, 0},   {{4, 4}, sight_stop::boundary, 2},
                          {{-4, 4}, sight_stop::boundary, 3}, {{-4, -4}, sight_stop::boundary, 0},
                          {{4, -4}, sight_stop::nothing, 0},  {{1, -1}, sight_stop::obstacle, 0}};
-  return seen.status == visibility_status::ok && std::equal(seen.ring.begin(), seen.ring.end(), want, want + 6);
+  return seen && seen.status == visibility_status::ok && std::equal(seen.ring.begin(), seen.ring.end(), want, want + 6);
 }
 // Two walls that touch: closed they hide the corner behind, open they let a needle through.
 constexpr std::size_t vertices_past_a_joint(obstacle_ends ends) {
@@ -46,7 +46,7 @@ constexpr bool hostile() {
 constexpr bool nothing_there() {
   const auto nan = irg::visibility_polygon(place{std::numeric_limits<double>::quiet_NaN(), 0}, room);
   const auto none = irg::visibility_polygon(place{0, 0}, window{}), beyond = irg::visibility_polygon(place{5, 0}, room);
-  return nan.status == visibility_status::not_finite && none.status == visibility_status::source_outside &&
+  return !nan && nan.status == visibility_status::not_finite && none.status == visibility_status::source_outside &&
          beyond.status == visibility_status::source_outside && nan.ring.empty() && beyond.ring.empty();
 }
 // No wall; one before an edge of the room; two that cross, seen before one edge; what stops nothing; no polygon at all.

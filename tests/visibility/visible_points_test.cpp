@@ -13,7 +13,7 @@
 namespace {
 
 using P = irg::point<double, 2>;
-constexpr std::size_t none = irg::line_neighbours::none;
+constexpr std::nullopt_t none = std::nullopt;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
 
 TEST_CASE("see_on_line: neighbours on both sides, equal points, ends, none") {

@@ -28,7 +28,7 @@ constexpr bool shadow_of_one_wall() {
   const wall walls[] = {{{-1, 0}, {1, 0}}};
   const auto r = irg::weak_visibility(wall{{-2, 2}, {2, 2}}, walls, plan);
   const place umbra[] = {{0, -2}, {1, 0}, {-1, 0}};
-  return r.status == visibility_status::ok && r.all.size() == 1 && r.some.size() == 1 && r.none.size() == 1 &&
+  return r && r.status == visibility_status::ok && r.all.size() == 1 && r.some.size() == 1 && r.none.size() == 1 &&
          r.none[0].size() == 3 && std::equal(umbra, umbra + 3, r.none[0].begin()) && r.all[0].size() == 6;
 }
 bool lamp_with_a_corner_inwards() {

@@ -26,6 +26,7 @@ struct cyclic_palette {
     const auto stop = static_cast<std::size_t>(place / steps);
     return mix(stops[stop], stops[(stop + 1) % N], static_cast<std::uint8_t>(step * 256 / steps));
   }
+  bool operator==(const cyclic_palette&) const = default;
 };
 
 }  // namespace irg

@@ -54,7 +54,7 @@ inline namespace IRG_ABI {
 /// cost    two comparisons and one load from a table of 6.5 KiB
 /// source  IEC 61966-2-1
 [[nodiscard]] IRG_INLINE constexpr std::uint8_t linear_to_srgb8(float light) noexcept {
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(clamp(light, detail::srgb_first, detail::srgb_last));
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(clamped(light, detail::srgb_first, detail::srgb_last));
   const std::uint32_t entry = detail::srgb_code_table.entry[(bits - detail::srgb_first_bits) >> 16];
   return static_cast<std::uint8_t>((entry + (bits & 0xffff)) >> 16);
 }

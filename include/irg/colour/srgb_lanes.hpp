@@ -15,7 +15,7 @@ namespace detail::inline IRG_ABI {
 template <int N>
 IRG_INLINE pack<std::int32_t, N> srgb_codes_of(const pack<float, N>& light) noexcept {
   using F = lanes<pack<float, N>>;
-  const auto limited = low_of(high_of(light, F::broadcast(srgb_first)), F::broadcast(srgb_last));  // NaN: the first
+  const auto limited = minimum(maximum(light, F::broadcast(srgb_first)), F::broadcast(srgb_last));  // NaN: the first
   const auto bits = bits_as<std::int32_t>(limited);
   const auto entry =
       gather<std::int32_t>(srgb_code_table.entry, (bits - static_cast<std::int32_t>(srgb_first_bits)) >> 16);

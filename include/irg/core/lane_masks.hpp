@@ -130,14 +130,10 @@ template <class T, int N>
 #endif
 }
 
-/// The lesser and the greater of two numbers, lane by lane in packs; b when they are unordered.
-[[nodiscard]] IRG_INLINE constexpr float low_of(float a, float b) noexcept { return a < b ? a : b; }
-[[nodiscard]] IRG_INLINE constexpr float high_of(float a, float b) noexcept { return b < a ? a : b; }
-[[nodiscard]] IRG_INLINE constexpr double low_of(double a, double b) noexcept { return a < b ? a : b; }
-[[nodiscard]] IRG_INLINE constexpr double high_of(double a, double b) noexcept { return b < a ? a : b; }
-// In one instruction where there is one; g++ does not find the second.
+/// The smaller and the larger of two numbers, lane by lane; b when they are unordered. In one instruction where there
+/// is one; g++ does not find the second.
 template <class T, int N>
-[[nodiscard]] IRG_INLINE pack<T, N> low_of(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> minimum(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (std::is_same_v<T, float> && N == 4) return {__builtin_ia32_minps(a.v, b.v)};
   if constexpr (std::is_same_v<T, double> && N == 2) return {__builtin_ia32_minpd(a.v, b.v)};
@@ -149,7 +145,7 @@ template <class T, int N>
   return select(a < b, a, b);
 }
 template <class T, int N>
-[[nodiscard]] IRG_INLINE pack<T, N> high_of(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> maximum(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (std::is_same_v<T, float> && N == 4) return {__builtin_ia32_maxps(a.v, b.v)};
   if constexpr (std::is_same_v<T, double> && N == 2) return {__builtin_ia32_maxpd(a.v, b.v)};
@@ -256,16 +252,22 @@ template <class T, int N, class Op>
 /// one is left.
 /// exact   lanes 0 to 3 are summed as (0 + 2) + (1 + 3); the order follows the number of lanes. No NaN among floats
 template <class F>
-[[nodiscard]] IRG_INLINE constexpr auto least_of(const F& x) noexcept {
-  return lanes_detail::folded(x, [](const auto& a, const auto& b) { return low_of(a, b); });
+[[nodiscard]] IRG_INLINE constexpr auto reduce_min(const F& x) noexcept {
+  return lanes_detail::folded(x, [](const auto& a, const auto& b) { return minimum(a, b); });
 }
 template <class F>
-[[nodiscard]] IRG_INLINE constexpr auto greatest_of(const F& x) noexcept {
-  return lanes_detail::folded(x, [](const auto& a, const auto& b) { return high_of(a, b); });
+[[nodiscard]] IRG_INLINE constexpr auto reduce_max(const F& x) noexcept {
+  return lanes_detail::folded(x, [](const auto& a, const auto& b) { return maximum(a, b); });
 }
 template <class F>
-[[nodiscard]] IRG_INLINE constexpr auto total(const F& x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto reduce_add(const F& x) noexcept {
   return lanes_detail::folded(x, [](const auto& a, const auto& b) { return a + b; });
 }
+
+IRG_RENAMED(low_of, minimum)
+IRG_RENAMED(high_of, maximum)
+IRG_RENAMED(least_of, reduce_min)
+IRG_RENAMED(greatest_of, reduce_max)
+IRG_RENAMED(total, reduce_add)
 
 }  // namespace irg::inline IRG_ABI

@@ -63,23 +63,44 @@ template <class... T>
 concept MixedArguments = (std::is_arithmetic_v<T> && ...) && !(std::same_as<T, float> && ...) &&
                          !(std::same_as<T, double> && ...) && (!std::same_as<T, long double> && ...);
 
+/// What takes numbers of type T, and text, by <<, as std::ostream does. No stream's header is included for it.
+template <class S, class T = double>
+concept TextStream = requires(S& stream, const T& number) {
+  stream << 1.0 << "x";
+  stream << number;
+};
+
 inline namespace IRG_ABI {
+
+/// Writes at(0) to at(count - 1) as "(1, 2, 3)", bytes as numbers. So go points, colours and matrices into a stream.
+template <class S, class At>
+constexpr S& print_list(S& stream, int count, const At& at) {
+  for (int i = 0; i < count; ++i) {
+    stream << (i == 0 ? "(" : ", ");
+    if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(at(i))>>)
+      stream << +at(i);
+    else
+      stream << at(i);
+  }
+  stream << ")";
+  return stream;
+}
 
 /// The smaller of two numbers; b when they are unordered (a is NaN).
 template <class T>
-[[nodiscard]] IRG_INLINE constexpr T lesser(T a, T b) noexcept(noexcept(a < b)) {
+[[nodiscard]] IRG_INLINE constexpr T minimum(T a, T b) noexcept(noexcept(a < b)) {
   return a < b ? a : b;
 }
 
 /// The larger of two numbers; b when they are unordered (a is NaN).
 template <class T>
-[[nodiscard]] IRG_INLINE constexpr T greater(T a, T b) noexcept(noexcept(b < a)) {
+[[nodiscard]] IRG_INLINE constexpr T maximum(T a, T b) noexcept(noexcept(b < a)) {
   return b < a ? a : b;
 }
 
 /// x, limited to [low, high]; low when x is NaN.
 template <class T>
-[[nodiscard]] IRG_INLINE constexpr T clamp(T x, T low, T high) noexcept(noexcept(x < low)) {
+[[nodiscard]] IRG_INLINE constexpr T clamped(T x, T low, T high) noexcept(noexcept(x < low)) {
   return low < x ? (x < high ? x : high) : low;
 }
 

@@ -3,9 +3,12 @@
 // sink returns is ignored; it may be stateful and need not be copyable.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <typeindex>  // the lightest header that declares std::hash
 
-#include <irg/core/config.hpp>
+#include <irg/core/scalar.hpp>
 
 namespace irg {
 
@@ -53,4 +56,24 @@ concept CoverageSink = requires(S& sink, const coverage_span s) { sink(s); };
 template <class S, class P>
 concept SegmentSink = requires(S& sink, const P& from, const P& to) { sink(from, to); };
 
+inline namespace IRG_ABI {
+
+/// Writes "(x, y)".
+template <class S, std::same_as<cell> C>
+  requires TextStream<S>
+constexpr S& operator<<(S& stream, const C& c) {
+  return print_list(stream, 2, [&](int i) { return i == 0 ? c.x : c.y; });
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg
+
+/// The hash of a cell, for std::unordered_map and its like.
+template <>
+struct std::hash<irg::cell> {
+  IRG_INLINE constexpr std::size_t operator()(const irg::cell& c) const noexcept {
+    const auto x = static_cast<std::uint32_t>(c.x), y = static_cast<std::uint32_t>(c.y);
+    const std::uint64_t h = (std::uint64_t{x} << 32 | y) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(h ^ h >> 32);
+  }
+};

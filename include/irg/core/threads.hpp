@@ -48,6 +48,7 @@ struct parallel {
     if (thrown) std::rethrow_exception(thrown);
 #endif
   }
+  bool operator==(const parallel&) const = default;
 
 private:
   // Starts count - 1 threads, or as many as the system grants: the calling thread does what nobody else does.

@@ -51,13 +51,46 @@ enum class containment {
 /// How many pixels a picture has: in a row, and rows.
 struct extent2 {
   int width = 0, height = 0;
-  constexpr bool operator==(const extent2&) const = default;
+  bool operator==(const extent2&) const = default;
 };
+
+/// The words whose values are signs: -1, 0 and 1.
+template <class E>
+inline constexpr bool is_sign_word = false;
+template <>
+inline constexpr bool is_sign_word<side> = true;
+template <>
+inline constexpr bool is_sign_word<location> = true;
+template <>
+inline constexpr bool is_sign_word<facing> = true;
+template <>
+inline constexpr bool is_sign_word<orientation> = true;
+
+inline namespace IRG_ABI {
+
+/// -1, 0 or 1: the sign that a side, a location, a facing or an orientation stands for.
+/// exact   always
+template <class E>
+  requires(is_sign_word<E>)
+[[nodiscard]] IRG_INLINE constexpr int sign_of(E word) noexcept {
+  return static_cast<int>(word);
+}
+
+/// The word of the other sign: below for above, outside for inside, back for front, clockwise for counter-clockwise.
+/// What stands for zero stays.
+/// exact   always
+template <class E>
+  requires(is_sign_word<E>)
+[[nodiscard]] IRG_INLINE constexpr E opposite(E word) noexcept {
+  return static_cast<E>(-static_cast<int>(word));
+}
+
+}  // namespace IRG_ABI
 
 /// Three indices of vertices, counter-clockwise seen from outside.
 struct triangle_indices {
   std::uint32_t v[3];
-  constexpr bool operator==(const triangle_indices&) const = default;
+  bool operator==(const triangle_indices&) const = default;
 };
 
 /// A value that is harmless always, and what its arguments amounted to. True when the value is what was asked for.

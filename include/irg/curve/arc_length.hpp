@@ -91,7 +91,7 @@ template <Floating T, class Speed>
                                      std::type_identity_t<T> tolerance) {
   const T whole = detail::gauss_legendre(speed, a, b);
   const T least = product(whole, sizeof(T) == 4 ? T(0x1p-20f) : T(0x1p-48));  // rounding noise is no reason to halve
-  return detail::adaptive_length(speed, a, b, whole, greater(tolerance, least), 16);
+  return detail::adaptive_length(speed, a, b, whole, maximum(tolerance, least), 16);
 }
 
 /// Fills `lengths` with the lengths from `first` to equally spaced parameters up to `last`: what parameter_at_length

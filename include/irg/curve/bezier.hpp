@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Bezier curves of any degree and dimension by de Casteljau's algorithm, and the Bernstein polynomials. Control points
-// are any range of points or vectors; nothing allocates: a range whose length is part of its type (std::array) brings
-// its own working space, any other is handed some by the caller.
+// are any range of points or vectors. A range whose length is part of its type (std::array) brings its own working
+// space; any other takes scratch of the caller's, and nothing allocates, or a workspace that grows.
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include <irg/core/contract.hpp>
 #include <irg/core/ring.hpp>
+#include <irg/math/error_free.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -88,6 +91,49 @@ struct curve_sample {
   bool operator==(const curve_sample&) const = default;
 };
 
+/// Memory that functions of curves and surfaces with control points P work in, to be used again by the next call: its
+/// rows grow to what a call needs, and what they hold between calls means nothing.
+/// needs   one call at a time: none from the sink of another one
+template <CurvePoint P>
+struct curve_workspace {
+  std::vector<P> points{};
+  std::vector<typename curve_sample<P>::vector> vectors{};
+  std::vector<scalar_of<P>> numbers{};
+  std::vector<vec<scalar_of<P>, 1>> coefficients{};
+  std::vector<exact_sum<std::conditional_t<Floating<scalar_of<P>>, scalar_of<P>, double>>> sums{};
+};
+
+namespace detail {
+
+template <class R>
+struct workspace_of;
+template <CurvePoint P>
+struct workspace_of<P> {
+  using type = curve_workspace<P>;
+};
+template <ControlPoints R>
+struct workspace_of<R> {
+  using type = curve_workspace<control_point<R>>;
+};
+
+}  // namespace detail
+
+/// The workspace for control points of this type, or of ranges like this.
+template <class R>
+using workspace_for = typename detail::workspace_of<R>::type;
+
+/// A workspace of yours, or one that is made for the call.
+template <class W, class R>
+concept WorkspaceFor = std::same_as<W&, workspace_for<R>&>;
+
+namespace detail {
+
+/// What a call makes that is given no workspace: none where another form needs no memory.
+template <class R, bool IsNeeded>
+using own_workspace = std::conditional_t<IsNeeded, workspace_for<R>, void>;
+
+}  // namespace detail
+
 inline namespace IRG_ABI {
 
 /// The parameter k/n. Counting from the other end gives the same pair the other way round, so that a curve traversed
@@ -128,6 +174,18 @@ IRG_INLINE constexpr typename curve_sample<P>::vector scaled_difference(const P&
       [&](int i) { return product(coordinate(b, i) - coordinate(a, i), static_cast<T>(factor)); });
 }
 
+/// The first n elements of a row of a workspace, which grows where it has fewer.
+template <class E>
+constexpr std::span<E> room_for(std::vector<E>& row, std::size_t n) {
+  if (row.size() < n) row.resize(n, E{});
+  return std::span<E>(row).first(n);
+}
+/// As many rows as that, each as long as the range of control points.
+template <class E, ControlPoints R>
+constexpr std::span<E> room_for(std::vector<E>& row, const R& points, std::size_t rows = 1) {
+  return room_for(row, rows * ring_traits<R>::size(points));
+}
+
 template <class R>
 constexpr std::span<control_point<R>> copied(const R& points, std::span<control_point<R>> scratch) noexcept {
   const std::size_t n = ring_traits<R>::size(points);
@@ -164,6 +222,13 @@ template <FixedControlPoints R>
   return bezier_point(points, t, scratch);
 }
 
+/// The point of the Bezier curve at t, computed in a workspace; allocates where that has too little memory.
+/// exact   as the form with scratch
+template <ControlPoints R, WorkspaceFor<R> W = detail::own_workspace<R, !FixedControlPoints<R>>>
+[[nodiscard]] constexpr control_point<R> bezier_point(const R& points, parameter_of<R> t, W&& memory = W{}) {
+  return bezier_point(points, t, detail::room_for(memory.points, points));
+}
+
 /// The point of the Bezier curve at t and its derivative there.
 /// needs   as bezier_point
 /// gives   derivative zero for a single control point
@@ -185,6 +250,13 @@ template <FixedControlPoints R>
 [[nodiscard]] constexpr curve_sample<control_point<R>> bezier_sample(const R& points, parameter_of<R> t) noexcept {
   std::array<control_point<R>, detail::fixed_size<R>()> scratch{};
   return bezier_sample(points, t, scratch);
+}
+
+/// The point and the derivative, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, WorkspaceFor<R> W = detail::own_workspace<R, !FixedControlPoints<R>>>
+[[nodiscard]] constexpr curve_sample<control_point<R>> bezier_sample(const R& points, parameter_of<R> t,
+                                                                     W&& memory = W{}) {
+  return bezier_sample(points, t, detail::room_for(memory.points, points));
 }
 
 /// Cuts the curve at t: left gets the control points from 0 to t, right those from t to 1.

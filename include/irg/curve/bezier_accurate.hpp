@@ -68,4 +68,12 @@ template <FixedControlPoints R>
   return bezier_point_accurate(points, t, scratch);
 }
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, WorkspaceFor<R> W = detail::own_workspace<R, !FixedControlPoints<R>>>
+  requires Floating<scalar_of<control_point<R>>>
+[[nodiscard]] constexpr control_point<R> bezier_point_accurate(const R& points, scalar_of<control_point<R>> t,
+                                                               W&& memory = W{}) {
+  return bezier_point_accurate(points, t, detail::room_for(memory.sums, points));
+}
+
 }  // namespace irg::inline IRG_ABI

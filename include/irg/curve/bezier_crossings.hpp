@@ -25,15 +25,16 @@ struct curve_meeting {
   [[nodiscard]] IRG_APART constexpr T second_middle() const noexcept {
     return second_from + (second_to - second_from) / 2;
   }
-  constexpr bool operator==(const curve_meeting&) const = default;
+  bool operator==(const curve_meeting&) const = default;
 };
 
 /// How far to go: pieces of curves are narrow enough when their boxes are no wider than the tolerance; and how many
 /// pairs of pieces to look at before the rest is handed over as it is.
 template <Floating T>
-struct meeting_search {
+struct bezier_intersection_options {
   T tolerance = 0;
   std::size_t most_steps = 65536;
+  bool operator==(const bezier_intersection_options&) const = default;
 };
 
 /// What came of a search: all meetings within the tolerance; some stretches wider, the steps having been used up or the
@@ -44,10 +45,6 @@ enum class [[nodiscard]] bezier_intersection_status {
   too_many,
   within_tolerance [[deprecated("irg: within_tolerance is now ok")]] = ok
 };
-
-/// The old name of bezier_intersection_status.
-using meetings_found [[deprecated("irg: bezier_intersection_status is now bezier_intersection_status")]] =
-    bezier_intersection_status;
 
 namespace detail::inline IRG_ABI {
 
@@ -84,11 +81,14 @@ struct halved_curve {
     T low = coordinate(space[2 * count()], axis), high = low;
     for (std::size_t i = 1; i < count(); ++i) {
       const T x = coordinate(space[2 * count() + i], axis);
-      low = lesser(low, x), high = greater(high, x);
+      low = minimum(low, x), high = maximum(high, x);
     }
     return {low - off, high + off};
   }
 };
+
+// How many rows of as many points as both curves have bezier_intersections works in.
+inline constexpr std::size_t meeting_rows = 3;
 
 enum class pair_of_pieces { apart, narrow, first_is_wide, second_is_wide };
 
@@ -101,7 +101,7 @@ constexpr pair_of_pieces compare_pieces(const A& a, const B& b, T tolerance) noe
     const auto x = a.extent(axis), y = b.extent(axis);
     if (x.y < y.x || y.y < x.x) return pair_of_pieces::apart;
     is_narrow = is_narrow && x.y - x.x <= tolerance && y.y - y.x <= tolerance;
-    first = greater(first, x.y - x.x), second = greater(second, y.y - y.x);
+    first = maximum(first, x.y - x.x), second = maximum(second, y.y - y.x);
   }
   return is_narrow        ? pair_of_pieces::narrow
          : first < second ? pair_of_pieces::second_is_wide
@@ -143,8 +143,8 @@ struct meeting_list {
            b.second_from <= a.second_to;
   }
   static constexpr void unite(curve_meeting<T>& a, const curve_meeting<T>& b) noexcept {
-    a = {lesser(a.first_from, b.first_from), greater(a.first_to, b.first_to), lesser(a.second_from, b.second_from),
-         greater(a.second_to, b.second_to)};
+    a = {minimum(a.first_from, b.first_from), maximum(a.first_to, b.first_to), minimum(a.second_from, b.second_from),
+         maximum(a.second_to, b.second_to)};
   }
   constexpr void add(curve_meeting<T> m) noexcept {
     for (std::size_t i = 0; i < count;) {
@@ -182,12 +182,14 @@ inline namespace IRG_ABI {
 template <ControlPoints R, ControlPoints S>
   requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
 constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
-    const R& first, const S& second, const std::type_identity_t<meeting_search<scalar_of<control_point<R>>>>& search,
+    const R& first, const S& second,
+    const std::type_identity_t<bezier_intersection_options<scalar_of<control_point<R>>>>& search,
     std::span<curve_meeting<scalar_of<control_point<R>>>> room, std::span<control_point<R>> scratch) noexcept {
   using T = scalar_of<control_point<R>>;
-  constexpr int depth = lesser(std::numeric_limits<T>::digits, 30);
+  constexpr int depth = minimum(std::numeric_limits<T>::digits, 30);
   const std::size_t n = ring_traits<R>::size(first), m = ring_traits<S>::size(second);
-  IRG_EXPECTS(n > 0 && m > 0 && !room.empty() && scratch.size() >= 3 * (n + m) && search.tolerance >= 0);
+  const std::size_t needed = detail::meeting_rows * (n + m);
+  IRG_EXPECTS(n > 0 && m > 0 && !room.empty() && scratch.size() >= needed && search.tolerance >= 0);
   detail::halved_curve<R> a(first, scratch.first(3 * n));
   detail::halved_curve<S> b(second, scratch.subspan(3 * n, 3 * m));
   detail::meeting_list<T> list{room};
@@ -216,6 +218,18 @@ constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
   return {list.count, list.is_full ? bezier_intersection_status::too_many
                       : any_wide   ? bezier_intersection_status::wide
                                    : bezier_intersection_status::ok};
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, ControlPoints S, WorkspaceFor<R> W = workspace_for<R>>
+  requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
+constexpr checked<std::size_t, bezier_intersection_status> bezier_intersections(
+    const R& first, const S& second,
+    const std::type_identity_t<bezier_intersection_options<scalar_of<control_point<R>>>>& search,
+    std::span<curve_meeting<scalar_of<control_point<R>>>> room, W&& memory = W{}) {
+  const std::size_t count = ring_traits<R>::size(first) + ring_traits<S>::size(second);
+  return bezier_intersections(first, second, search, room,
+                              detail::room_for(memory.points, detail::meeting_rows * count));
 }
 
 IRG_RENAMED(bezier_meetings, bezier_intersections)

@@ -77,7 +77,7 @@ constexpr scalar_of<control_point<R>> bezier_reduce(const R& points, std::span<c
   for (std::size_t k = 0; k <= n; ++k) {
     const P again = detail::blend(reduced[k < n ? k : n - 1], reduced[k > 0 ? k - 1 : 0],
                                   curve_fraction<T>(static_cast<int>(k), static_cast<int>(n)));
-    farthest = greater(farthest, length(detail::scaled_difference(again, b(k), 1)));
+    farthest = maximum(farthest, length(detail::scaled_difference(again, b(k), 1)));
   }
   return farthest;
 }

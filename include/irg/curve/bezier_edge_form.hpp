@@ -105,5 +105,11 @@ constexpr control_point<R> bezier_point_of_edges(const R& edges, parameter_of<R>
   });
 }
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, WorkspaceFor<R> W = workspace_for<R>>
+[[nodiscard]] constexpr control_point<R> bezier_point_of_edges(const R& edges, parameter_of<R> t, W&& memory = W{}) {
+  return bezier_point_of_edges(edges, t, detail::room_for(memory.numbers, edges));
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg

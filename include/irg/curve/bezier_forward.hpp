@@ -65,5 +65,11 @@ constexpr void bezier_forward(const R& points, int n, std::span<control_point<R>
   sink(ring_traits<R>::vertex(points, count - 1));
 }
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, class Sink, WorkspaceFor<R> W = workspace_for<R>>
+constexpr void bezier_forward(const R& points, int n, Sink&& sink, W&& memory = W{}) {
+  bezier_forward(points, n, detail::room_for(memory.points, points), sink);
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -64,6 +64,14 @@ constexpr std::optional<prepared_bezier<control_point<R>>> prepare_bezier(
     const R& points, std::span<scalar_of<control_point<R>>> space,
     std::type_identity_t<std::span<exact_sum<scalar_of<control_point<R>>>>> scratch) noexcept;
 
+/// The same, computed in a workspace, which may go afterwards; allocates where that has too little memory.
+template <ControlPoints R, WorkspaceFor<R> W = workspace_for<R>>
+  requires Floating<scalar_of<control_point<R>>>
+[[nodiscard]] constexpr std::optional<prepared_bezier<control_point<R>>> prepare_bezier(
+    const R& points, std::span<scalar_of<control_point<R>>> space, W&& memory = W{}) {
+  return prepare_bezier(points, space, detail::room_for(memory.sums, points));
+}
+
 /// The point of the curve at t.
 /// needs   0 <= t <= 1; outside, the polynomial goes on to degree 19 (in floats 11)
 /// exact   the ends bit for bit; error for control points within 1, measured: 3 u at most to degree 50, in the mean
@@ -135,7 +143,7 @@ struct expansion_place {
 template <class Curve, Floating T>
 IRG_INLINE constexpr expansion_place<T> nearest_expansion(const Curve& curve, T t) noexcept {
   const T pieces = static_cast<T>(static_cast<std::ptrdiff_t>(curve.pieces)), at = product(t, pieces);
-  const T within = lesser(greater(at + T(0.5), T(0.5)), pieces);  // t is within [0, 1], but who knows
+  const T within = minimum(maximum(at + T(0.5), T(0.5)), pieces);  // t is within [0, 1], but who knows
   const auto index = static_cast<std::ptrdiff_t>(within);
   const T node = static_cast<T>(index), off = at - node;
   return {curve.rows.data() + index * static_cast<std::ptrdiff_t>(curve.row_length), node, off + off};

@@ -34,6 +34,9 @@ namespace detail::inline IRG_ABI {
 template <Floating T>
 constexpr T half_ulp_of_one = std::numeric_limits<T>::epsilon() / 2;
 
+// How many rows of as many numbers as there are control points each query works in.
+inline constexpr std::size_t box_rows = 8, line_rows = 4, nearest_rows = 8;
+
 // Least and greatest coefficient of the polynomial between two places, widened by what rounding may hide.
 template <Floating T>
 constexpr vec<T, 2> hull_of_stretch(std::span<const vec<T, 1>> c, T from, T to, std::span<vec<T, 1>> scratch) noexcept {
@@ -43,8 +46,8 @@ constexpr vec<T, 2> hull_of_stretch(std::span<const vec<T, 1>> c, T from, T to, 
   bezier_split(left, curve_parameter<T>(to > T(0) ? from / to : T(0)), work, piece);
   T low = piece[0][0], high = low, largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    low = lesser(low, piece[i][0]), high = greater(high, piece[i][0]);
-    largest = greater(largest, magnitude(c[i][0]));
+    low = minimum(low, piece[i][0]), high = maximum(high, piece[i][0]);
+    largest = maximum(largest, magnitude(c[i][0]));
   }
   const T off = product(static_cast<T>(static_cast<int>(8 * n)),
                         product(largest, half_ulp_of_one<T>) + std::numeric_limits<T>::denorm_min());
@@ -68,7 +71,7 @@ constexpr T foot_coefficients(const R& points, const control_point<R>& p, std::s
   };
   T largest = 0;
   for (std::size_t i = 0; i <= n; ++i)
-    for (int axis = 0; axis < dimension; ++axis) largest = greater(largest, magnitude(offset(i, axis)));
+    for (int axis = 0; axis < dimension; ++axis) largest = maximum(largest, magnitude(offset(i, axis)));
   if (largest == T(0)) largest = T(1);  // the curve is p all along
   for (std::size_t k = 0; k < 2 * n; ++k) {
     T sum = 0, weights = 0, weight = 1;  // C(n, i) C(n - 1, k - i), up to a factor
@@ -109,7 +112,7 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
   using T = scalar_of<control_point<R>>;
   constexpr int dimension = size_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
-  IRG_EXPECTS(count > 0 && scratch.size() >= 8 * count);
+  IRG_EXPECTS(count > 0 && scratch.size() >= detail::box_rows * count);
   const auto c = scratch.first(count), slopes = scratch.subspan(count, count - 1);
   const auto work = scratch.subspan(2 * count, 3 * count);
   std::array<T, static_cast<std::size_t>(dimension)> low{}, high{};
@@ -117,27 +120,35 @@ constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box
     T largest = 0, least = coordinate(ring_traits<R>::vertex(points, 0), axis), greatest = least;
     for (std::size_t i = 0; i < count; ++i) {
       c[i] = {coordinate(ring_traits<R>::vertex(points, i), axis)};
-      largest = greater(largest, magnitude(c[i][0]));
-      least = lesser(least, c[i][0]), greatest = greater(greatest, c[i][0]);
+      largest = maximum(largest, magnitude(c[i][0]));
+      least = minimum(least, c[i][0]), greatest = maximum(greatest, c[i][0]);
       if (!is_finite(c[i][0])) largest = std::numeric_limits<T>::infinity();
     }
     auto& from = low[static_cast<std::size_t>(axis)];
     auto& to = high[static_cast<std::size_t>(axis)];
-    from = lesser(c[0][0], c[count - 1][0]), to = greater(c[0][0], c[count - 1][0]);
+    from = minimum(c[0][0], c[count - 1][0]), to = maximum(c[0][0], c[count - 1][0]);
     if (!is_finite(largest)) from = (std::numeric_limits<T>::lowest)(), to = (std::numeric_limits<T>::max)();
     if (count < 3 || !is_finite(largest)) continue;
     for (std::size_t i = 0; i + 1 < count; ++i) slopes[i] = {detail::half_difference(c[i + 1][0], c[i][0])};
     const T off = product(largest, std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 4;
-    bernstein_roots(std::span<const vec<T, 1>>(slopes), off, work, [&](const zero_stretch<T>& z) {
+    bernstein_roots(std::span<const vec<T, 1>>(slopes), off, work, [&](const root_interval<T>& z) {
       const auto hull = detail::hull_of_stretch(std::span<const vec<T, 1>>(c), z.from, z.to, scratch.last(3 * count));
-      from = lesser(from, greater(hull.x, least)), to = greater(to, lesser(hull.y, greatest));
+      from = minimum(from, maximum(hull.x, least)), to = maximum(to, minimum(hull.y, greatest));
     });
   }
   return {generate_coordinates<point<T, dimension>>([&](int i) { return low[static_cast<std::size_t>(i)]; }),
           generate_coordinates<point<T, dimension>>([&](int i) { return high[static_cast<std::size_t>(i)]; })};
 }
 
-/// Hands sink(zero_stretch) the stretches of the parameter in which the curve may meet the line through a and b.
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, WorkspaceFor<R> W = workspace_for<R>>
+  requires Floating<scalar_of<control_point<R>>>
+[[nodiscard]] constexpr box<scalar_of<control_point<R>>, size_of<control_point<R>>> bezier_box(const R& points,
+                                                                                               W&& memory = W{}) {
+  return bezier_box(points, detail::room_for(memory.coefficients, points, detail::box_rows));
+}
+
+/// Hands sink(root_interval) the stretches of the parameter in which the curve may meet the line through a and b.
 /// needs   one or more control points in the plane; scratch of four times as many numbers
 /// gives   false, and no stretches, where a and b are the same or not finite. A sign is 1 where the curve is left of
 ///         the line; a curve along the line is one stretch
@@ -150,7 +161,7 @@ constexpr bool bezier_line_intersections(const R& points, const control_point<R>
                                          std::span<vec<scalar_of<control_point<R>>, 1>> scratch, Sink&& sink) {
   using T = scalar_of<control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
-  IRG_EXPECTS(count > 0 && scratch.size() >= 4 * count);
+  IRG_EXPECTS(count > 0 && scratch.size() >= detail::line_rows * count);
   bool is_sound = true, is_large = false;
   for (int i = 0; i < 2; ++i)
     for (const T& x : {coordinate(a, i), coordinate(b, i)}) {
@@ -170,11 +181,20 @@ constexpr bool bezier_line_intersections(const R& points, const control_point<R>
     const T x = product(detail::half_difference(coordinate(p, 0), coordinate(a, 0)), T(0.5));
     const T y = product(detail::half_difference(coordinate(p, 1), coordinate(a, 1)), T(0.5));
     scratch[k] = {difference_of_products(along->x, y, along->y, x)};
-    largest = greater(largest, magnitude(x) + magnitude(y));
+    largest = maximum(largest, magnitude(x) + magnitude(y));
   }
   const T off = product(largest, 8 * std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 8;
   bernstein_roots(std::span<const vec<T, 1>>(scratch.first(count)), off, scratch.subspan(count, 3 * count), sink);
   return true;
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, class Sink, WorkspaceFor<R> W = workspace_for<R>>
+  requires(Floating<scalar_of<control_point<R>>> && size_of<control_point<R>> == 2)
+constexpr bool bezier_line_intersections(const R& points, const control_point<R>& a, const control_point<R>& b,
+                                         Sink&& sink, W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.coefficients, points, detail::line_rows);
+  return bezier_line_intersections(points, a, b, scratch, sink);
 }
 
 /// The place on the curve, 0 <= t <= 1, that is nearest to p.
@@ -195,13 +215,13 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
   using P = control_point<R>;
   using T = scalar_of<P>;
   const std::size_t count = ring_traits<R>::size(points), degree = count - 1;
-  IRG_EXPECTS(count > 0 && count <= 61 && scratch.size() >= 8 * count && work.size() >= count);
+  IRG_EXPECTS(count > 0 && count <= 61 && scratch.size() >= detail::nearest_rows * count && work.size() >= count);
   // Places are compared by the curve of offsets from p: far from the origin the curve's own points have fewer digits
   // than their distances. Offsets that may overflow are taken to a quarter.
   T largest = 0;
   for (std::size_t i = 0; i < count; ++i)
     for (int axis = 0; axis < size_of<P>; ++axis)
-      largest = greater(largest, magnitude(detail::half_difference(coordinate(ring_traits<R>::vertex(points, i), axis),
+      largest = maximum(largest, magnitude(detail::half_difference(coordinate(ring_traits<R>::vertex(points, i), axis),
                                                                    coordinate(p, axis))));
   const bool is_large = largest > (std::numeric_limits<T>::max)() / 8;
   const auto distance = [&](T t) {
@@ -223,7 +243,7 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
     const auto c = scratch.first(2 * degree);
     const T off = detail::foot_coefficients<R, T>(points, p, c);
     bernstein_roots(std::span<const vec<T, 1>>(c), off, scratch.subspan(2 * degree, 6 * degree),
-                    [&](const zero_stretch<T>& z) {
+                    [&](const root_interval<T>& z) {
                       compare(z.from);
                       compare(z.middle());
                       compare(z.to);
@@ -231,6 +251,15 @@ constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const 
     compare(T(1));
   }
   return {best, bezier_point(points, curve_parameter<T>(best), work), is_large ? 4 * least : least};
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, WorkspaceFor<R> W = workspace_for<R>>
+  requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
+[[nodiscard]] constexpr nearest_place<control_point<R>> bezier_nearest(const R& points, const control_point<R>& p,
+                                                                       W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.coefficients, points, detail::nearest_rows);
+  return bezier_nearest(points, p, scratch, detail::room_for(memory.points, points));
 }
 
 IRG_RENAMED(bezier_line_crossings, bezier_line_intersections)

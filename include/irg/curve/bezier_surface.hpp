@@ -69,6 +69,12 @@ constexpr surface_sample<P> sample_of_chords(std::span<P> first_row, std::span<P
           scaled_difference(u_near, u_far, degree_v), scaled_difference(at_near, at_far, degree_u)};
 }
 
+// How many points patch_sample works in.
+template <CurvePoint P>
+constexpr std::size_t sample_room(const control_net<P>& net) noexcept {
+  return 2 * net.columns + net.rows();
+}
+
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
@@ -104,7 +110,7 @@ constexpr surface_sample<P> patch_sample(const control_net<P>& net,
                                          std::type_identity_t<curve_parameter<scalar_of<P>>> v,
                                          std::type_identity_t<std::span<P>> scratch) noexcept {
   const std::size_t rows = net.rows(), columns = net.columns;
-  IRG_EXPECTS(rows > 0 && scratch.size() >= 2 * columns + rows);
+  IRG_EXPECTS(rows > 0 && scratch.size() >= detail::sample_room(net));
   const auto first_row = scratch.first(columns), last_row = scratch.subspan(columns, columns),
              along = scratch.subspan(2 * columns, rows);
   for (std::size_t j = 0; j < columns; ++j) {
@@ -114,6 +120,13 @@ constexpr surface_sample<P> patch_sample(const control_net<P>& net,
     last_row[j] = along[rows > 1 ? 1 : 0];
   }
   return detail::sample_of_chords(first_row, last_row, static_cast<int>(rows) - 1, u, v);
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <CurvePoint P, WorkspaceFor<P> W = curve_workspace<P>>
+[[nodiscard]] constexpr surface_sample<P> patch_sample(const control_net<P>& net, curve_parameter<scalar_of<P>> u,
+                                                       curve_parameter<scalar_of<P>> v, W&& memory = W{}) {
+  return patch_sample(net, u, v, detail::room_for(memory.points, detail::sample_room(net)));
 }
 
 /// The point of the patch at (u, v).

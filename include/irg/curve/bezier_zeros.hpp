@@ -19,12 +19,12 @@ namespace irg {
 /// end. Different signs: an odd number of zeros, counted with multiplicity. Equal ones or an end: perhaps touching,
 /// perhaps near, perhaps zero all along.
 template <Floating T>
-struct zero_stretch {
+struct root_interval {
   T from = 0, to = 0;
   int before = 0, behind = 0;
   [[nodiscard]] IRG_APART constexpr T middle() const noexcept { return from + (to - from) / 2; }
   [[nodiscard]] IRG_APART constexpr bool is_crossing() const noexcept { return before * behind < 0; }
-  constexpr bool operator==(const zero_stretch&) const = default;
+  bool operator==(const root_interval&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -62,7 +62,7 @@ struct bernstein_stretch {
 // Two neighbours of [low, high] found by halving: `holds` is true at the first and false at the second.
 // needs   holds at low, not at high
 template <Floating T, class Holds>
-constexpr zero_stretch<T> edge_by_halving(T low, T high, const Holds& holds) noexcept {
+constexpr root_interval<T> edge_by_halving(T low, T high, const Holds& holds) noexcept {
   while (true) {
     const T middle = low + (high - low) / 2;
     if (!(low < middle && middle < high)) return {low, high, 1, 0};
@@ -70,11 +70,14 @@ constexpr zero_stretch<T> edge_by_halving(T low, T high, const Holds& holds) noe
   }
 }
 
+// How many rows of as many numbers as there are coefficients bernstein_roots works in.
+inline constexpr std::size_t root_rows = 3;
+
 // Joins stretches that touch, and hands them over with the signs around them.
 template <Floating T, class Sink>
 struct zero_collector {
   Sink& sink;
-  zero_stretch<T> open{};
+  root_interval<T> open{};
   bool is_open = false;
   int last_sign = 0;
 
@@ -97,7 +100,7 @@ struct zero_collector {
 
 inline namespace IRG_ABI {
 
-/// Hands sink(zero_stretch) stretches of [0, 1], in order and apart from each other, that hold every zero of the
+/// Hands sink(root_interval) stretches of [0, 1], in order and apart from each other, that hold every zero of the
 /// polynomial with these Bernstein coefficients.
 /// shape   each coefficient is a vec<T, 1>
 /// needs   one coefficient or more; scratch three times as many; 0 <= uncertainty: how far each coefficient may be off
@@ -113,15 +116,15 @@ constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::typ
                                std::type_identity_t<std::span<vec<T, 1>>> scratch, Sink&& sink) {
   constexpr int depth = std::numeric_limits<T>::digits / 2 + 2;
   const std::size_t n = coefficients.size();
-  IRG_EXPECTS(n > 0 && scratch.size() >= 3 * n && !(uncertainty < 0));
+  IRG_EXPECTS(n > 0 && scratch.size() >= detail::root_rows * n && !(uncertainty < 0));
   T largest = 0;
   bool is_sound = is_finite(uncertainty);
   for (const auto& c : coefficients) {
     is_sound = is_sound && is_finite(c[0]);
-    largest = greater(largest, magnitude(c[0]));
+    largest = maximum(largest, magnitude(c[0]));
   }
   if (!is_sound) {
-    sink(zero_stretch<T>{0, 1, 0, 0});
+    sink(root_interval<T>{0, 1, 0, 0});
     return;
   }
   // Two splits, each of 3 * degree * u: bezier_point's bound.
@@ -159,6 +162,14 @@ constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::typ
     ++k;
   }
   zeros.close(0);
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, class Sink, WorkspaceFor<vec<T, 1>> W = curve_workspace<vec<T, 1>>>
+constexpr void bernstein_roots(std::span<const vec<T, 1>> coefficients, std::type_identity_t<T> uncertainty,
+                               Sink&& sink, W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.coefficients, coefficients, detail::root_rows);
+  bernstein_roots(coefficients, uncertainty, scratch, sink);
 }
 
 IRG_RENAMED(bernstein_zeros, bernstein_roots)

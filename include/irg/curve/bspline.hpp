@@ -39,9 +39,6 @@ enum class [[nodiscard]] knots_status {
   none [[deprecated("irg: none is now ok")]] = ok
 };
 
-/// The old name of knots_status.
-using knots_error [[deprecated("irg: knots_status is now knots_status")]] = knots_status;
-
 /// The Degree of bspline_knots that bring it along.
 inline constexpr int degree_at_run_time = -1;
 
@@ -50,6 +47,7 @@ template <Floating T, int Degree>
 struct bspline_values {
   std::size_t first = 0;
   std::array<T, static_cast<std::size_t>(Degree) + 1> value{};
+  bool operator==(const bspline_values&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -156,6 +154,15 @@ constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degr
                                                      std::type_identity_t<T> t,
                                                      std::type_identity_t<std::span<T>> scratch) noexcept;
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, ControlPolygon R,
+          WorkspaceFor<R> W = detail::own_workspace<R, Degree == degree_at_run_time>>
+[[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots,
+                                                                   const R& points, std::type_identity_t<T> t,
+                                                                   W&& memory = W{}) {
+  return bspline_point(knots, points, t, detail::room_for(memory.numbers, knots.order()));
+}
+
 /// The basis functions at t of a rational B-spline (NURBS): each times its weight, over the sum of these.
 /// needs   as many weights as knots.size()
 /// gives   nothing for NaN, for t outside of the knots' range, and where a weight is negative, NaN or infinite or all
@@ -193,6 +200,15 @@ constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree
                                                    std::type_identity_t<T> t,
                                                    std::type_identity_t<std::span<T>> scratch) noexcept;
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, ControlPolygon R,
+          WorkspaceFor<R> W = detail::own_workspace<R, Degree == degree_at_run_time>>
+[[nodiscard]] constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                                                 std::type_identity_t<std::span<const T>> weights,
+                                                                 std::type_identity_t<T> t, W&& memory = W{}) {
+  return nurbs_point(knots, points, weights, t, detail::room_for(memory.numbers, knots.order()));
+}
+
 /// The point of a rational B-spline curve (NURBS) of homogeneous control points at t.
 /// needs   as many control points as knots.size()
 /// gives   nothing for NaN, for t outside of the knots' range, and where the weight is 0 or not finite
@@ -229,7 +245,7 @@ constexpr void make_sum_one(V& value) noexcept {
     error = error + ((sum - (s - part)) + (next - part));
     sum = s;
     largest = select(most < next, index(i), largest);  // no jumps: which one it is changes from place to place
-    most = high_of(most, next);
+    most = maximum(most, next);
   }
   const F lacking = (lanes<F>::broadcast(1) - sum) - error;
   for (std::size_t i = 0; i < value.size(); ++i) value[i] = value[i] + select(largest == index(i), lacking, zero);

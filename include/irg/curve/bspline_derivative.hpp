@@ -14,6 +14,13 @@
 #include <irg/curve/bezier.hpp>
 #include <irg/curve/bspline.hpp>
 
+namespace irg::detail::inline IRG_ABI {
+
+// How many rows of as many vectors as knots.order() bspline_derivatives works in.
+inline constexpr std::size_t derivative_rows = 2;
+
+}  // namespace irg::detail::inline IRG_ABI
+
 namespace irg::inline IRG_ABI {
 
 /// The point of a B-spline curve at t, by blends of two points at a time.
@@ -29,6 +36,14 @@ constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots
                                                              std::type_identity_t<T> t,
                                                              std::span<ring_point<R>> scratch) noexcept;
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
+[[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots<T, Degree>& knots,
+                                                                           const R& points, std::type_identity_t<T> t,
+                                                                           W&& memory = W{}) {
+  return bspline_point_de_boor(knots, points, t, detail::room_for(memory.points, knots.order()));
+}
+
 /// The point of a B-spline curve and its derivatives at t: derivatives[k] is the k-th, derivatives[0] the point's
 /// own coordinates.
 /// needs   as many control points as knots.size(); scratch for 2 * knots.order() vectors, its contents are lost
@@ -43,6 +58,15 @@ constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const 
                                    std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
                                    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept;
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
+constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
+                                   std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
+                                   W&& memory = W{}) {
+  return bspline_derivatives(knots, points, t, derivatives,
+                             detail::room_for(memory.vectors, detail::derivative_rows * knots.order()));
+}
+
 /// The point of a B-spline curve at t and its derivative there.
 /// needs   as bspline_derivatives
 /// gives   nothing for NaN and for t outside of the knots' range
@@ -51,6 +75,15 @@ template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(
     const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
     std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept;
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
+[[nodiscard]] constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(const bspline_knots<T, Degree>& knots,
+                                                                                  const R& points,
+                                                                                  std::type_identity_t<T> t,
+                                                                                  W&& memory = W{}) {
+  return bspline_sample(knots, points, t, detail::room_for(memory.vectors, detail::derivative_rows * knots.order()));
+}
 
 }  // namespace irg::inline IRG_ABI
 
@@ -117,12 +150,12 @@ template <Floating T, int Degree, ControlPolygon R>
 constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
                                    std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
                                    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept {
-  const std::size_t order = knots.order();
-  IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= 2 * order);
+  const std::size_t order = knots.order(), room = detail::derivative_rows * order;
+  IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= room);
   if (!(knots.first() <= t && t <= knots.last())) return false;
   const std::size_t low = detail::bspline_stretch(knots, t);
   for (std::size_t i = 0; i < order; ++i) scratch[i] = detail::as_vector(ring_vertex(points, low + 1 - order + i));
-  detail::derivatives_in_stretch(knots, low, static_cast<T>(t), derivatives, scratch.first(2 * order));
+  detail::derivatives_in_stretch(knots, low, static_cast<T>(t), derivatives, scratch.first(room));
   return true;
 }
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include <irg/core/vocabulary.hpp>
 #include <irg/core/contract.hpp>
+#include <irg/core/result.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_derivative.hpp>
 #include <irg/math/hypot.hpp>
@@ -26,7 +26,8 @@ enum class fit_ends { through, free };
 
 /// What became of a fit: `not_rising` where a parameter is less than the one before it or outside of the knots' range,
 /// `undetermined` where some control point is not determined by the points (as when two are to be interpolated at one
-/// place), `not_finite` where a number is not finite, be it given or one of a control point.
+/// place), or no parameter, all points being equal; `not_finite` where a number is not finite, be it given or one of a
+/// control point, or a distance of points.
 enum class [[nodiscard]] bspline_fit_status {
   ok,
   not_rising,
@@ -132,20 +133,20 @@ private:
 };
 
 template <Floating T, int Degree, CurvePoint P>
-constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degree>& knots, std::span<const T> places,
-                                                    std::span<const P> points, fit_ends ends, std::span<P> result) {
+constexpr result<T, bspline_fit_status> fit_points(const bspline_knots<T, Degree>& knots, std::span<const T> places,
+                                                   std::span<const P> points, fit_ends ends, std::span<P> control) {
   const std::size_t size = knots.size(), order = knots.order();
   T largest = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!is_finite(places[k])) return {T(0), bspline_fit_status::not_finite};
+    if (!is_finite(places[k])) return bspline_fit_status::not_finite;
     for (int axis = 0; axis < size_of<P>; ++axis) {
-      if (!is_finite(coordinate(points[k], axis))) return {T(0), bspline_fit_status::not_finite};
-      largest = greater(largest, magnitude(coordinate(points[k], axis)));
+      if (!is_finite(coordinate(points[k], axis))) return bspline_fit_status::not_finite;
+      largest = maximum(largest, magnitude(coordinate(points[k], axis)));
     }
     if ((k > 0 && places[k] < places[k - 1]) || places[k] < knots.first() || places[k] > knots.last())
-      return {T(0), bspline_fit_status::not_rising};
+      return bspline_fit_status::not_rising;
   }
-  if (!determines_all(knots, places)) return {T(0), bspline_fit_status::undetermined};
+  if (!determines_all(knots, places)) return bspline_fit_status::undetermined;
   const bool through = ends == fit_ends::through && counts_at(knots, 0, places[0]) &&
                        counts_at(knots, size - 1, places[places.size() - 1]) && knots[0] == knots.first() &&
                        knots[knots.list().size() - 1] == knots.last() && places[0] == knots.first() &&
@@ -155,10 +156,10 @@ constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degre
   const auto times = [](const P& p, const T& factor) {
     return generate_coordinates<P>([&](int axis) { return product(coordinate(p, axis), factor); });
   };
-  for (std::size_t k = 0; k < size; ++k) result[k] = zero_coordinates<P>();
+  for (std::size_t k = 0; k < size; ++k) control[k] = zero_coordinates<P>();
   if (through) {
-    result[0] = times(points[0], down);
-    result[size - 1] = times(points[points.size() - 1], down);
+    control[0] = times(points[0], down);
+    control[size - 1] = times(points[points.size() - 1], down);
   }
   banded_rows<P> rows(size, order);
   std::vector<T> values(order, T(0));
@@ -169,49 +170,49 @@ constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degre
       const std::size_t column = first + i;
       if (column != 0 && column + 1 != size) continue;
       right = generate_coordinates<P>(
-          [&](int axis) { return coordinate(right, axis) - product(values[i], coordinate(result[column], axis)); });
+          [&](int axis) { return coordinate(right, axis) - product(values[i], coordinate(control[column], axis)); });
       values[i] = T(0);
     }
     static_cast<void>(rows.add(values, first, right));
   }
-  rows.solve(result);
-  for (std::size_t k = 0; k < size && down != T(1); ++k) result[k] = times(result[k], 1 / down);
+  rows.solve(control);
+  for (std::size_t k = 0; k < size && down != T(1); ++k) control[k] = times(control[k], 1 / down);
   if (through) {
-    result[0] = points[0];
-    result[size - 1] = points[points.size() - 1];
+    control[0] = points[0];
+    control[size - 1] = points[points.size() - 1];
   }
   for (std::size_t k = 0; k < size; ++k)
     for (int axis = 0; axis < size_of<P>; ++axis)
-      if (!is_finite(coordinate(result[k], axis))) return {T(0), bspline_fit_status::not_finite};
-  checked<T, bspline_fit_status> fit;
+      if (!is_finite(coordinate(control[k], axis))) return bspline_fit_status::not_finite;
+  T farthest = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const P at = *bspline_point(knots, result, places[k], std::span<T>(values));
+    const P at = *bspline_point(knots, control, places[k], std::span<T>(values));
     const T off = length(scaled_difference(points[k], at, 1));
-    if (!(off <= fit.value)) fit.value = off;
+    if (!(off <= farthest)) farthest = off;
   }
-  return fit;
+  return farthest;
 }
 
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
-/// Parameters from 0 to 1 for points, one after the other.
+/// Writes parameters from 0 to 1 for points, one after the other.
 /// needs   two points or more, places as long
-/// gives   false, and places of no use, where all points are equal or a distance or the sum of all is not finite. Equal
-///         successive points have equal places. But for uniform spacing, which looks at no point
+/// gives   `undetermined` where all points are equal, `not_finite` where a distance or the sum of all is not: places of
+///         no use then. Equal successive points have equal places. But for uniform spacing, which looks at no point
 /// exact   sums of rounded distances over their sum; the first 0, the last 1
 /// source  Piegl and Tiller 1997, 9.2.1; Lee 1989 (centripetal)
 template <CartesianPoint P>
   requires Floating<scalar_of<P>>
-constexpr bool fit_places(std::span<const P> points, fit_spacing spacing,
-                          std::type_identity_t<std::span<scalar_of<P>>> places) noexcept {
+constexpr bspline_fit_status parametrize(std::span<const P> points, fit_spacing spacing,
+                                         std::type_identity_t<std::span<scalar_of<P>>> places) noexcept {
   using T = scalar_of<P>;
   IRG_EXPECTS(points.size() > 1 && places.size() >= points.size());
   places[0] = T(0);
   for (std::size_t k = 0; k < points.size() && spacing != fit_spacing::uniform; ++k)
     for (int axis = 0; axis < size_of<P>; ++axis)
-      if (!is_finite(coordinate(points[k], axis))) return false;
+      if (!is_finite(coordinate(points[k], axis))) return bspline_fit_status::not_finite;
   const auto step_to = [&](std::size_t k) {
     if (spacing == fit_spacing::uniform) return T(1);
     const T distant = length(detail::scaled_difference(points[k - 1], points[k], 1));
@@ -220,15 +221,24 @@ constexpr bool fit_places(std::span<const P> points, fit_spacing spacing,
   for (std::size_t k = 1; k < points.size(); ++k) places[k] = places[k - 1] + step_to(k);
   const std::size_t last = points.size() - 1;
   const T all = places[last];
-  if (!(all > T(0)) || !is_finite(all)) return false;
+  if (!is_finite(all)) return bspline_fit_status::not_finite;
+  if (!(all > T(0))) return bspline_fit_status::undetermined;
   for (std::size_t k = 1; k < last; ++k) places[k] = places[k] / all;
   places[last] = T(1);
-  return true;
+  return bspline_fit_status::ok;
+}
+
+/// Whether parametrize wrote parameters: its old name.
+template <CartesianPoint P>
+  requires Floating<scalar_of<P>>
+[[deprecated("irg: fit_places is now parametrize, which gives a status")]] constexpr bool fit_places(
+    std::span<const P> points, fit_spacing spacing, std::type_identity_t<std::span<scalar_of<P>>> places) noexcept {
+  return parametrize(points, spacing, places) == bspline_fit_status::ok;
 }
 
 /// Knots for a curve of `count` control points near data at these places: as many of them in each stretch as can be,
 /// where count is that of the places the means of `degree` successive ones.
-/// needs   places that rise from the first to the last, as fit_places gives them; 0 < degree < count <= their number;
+/// needs   places that rise from the first to the last, as parametrize gives them; 0 < degree < count <= their number;
 ///         knots for count + degree + 1
 /// exact   means rounded a few times; ends as they are
 /// source  de Boor 1978, XIII; Piegl and Tiller 1997, 9.8, 9.69
@@ -258,8 +268,8 @@ constexpr void fit_knots(std::span<const T> places, int degree, std::size_t coun
 
 /// The control points of the curve over these knots that is at each place in the point that belongs to it.
 /// needs   as many points, places and room for control points as knots.size()
-/// gives   how far the farthest point is from the curve at its place; a status other than `ok`, and no control
-///         points, where there is no such curve or more than one
+/// gives   how far the farthest point is from the curve at its place; or why there is no such curve, or more than one,
+///         and no control points then
 /// exact   rotations of one banded matrix, each rounded: at its place the curve is within some 10 u of the largest
 ///         control point of the given one, first and last point bit for bit where the end knots are of full
 ///         multiplicity and have the first and last place
@@ -267,12 +277,12 @@ constexpr void fit_knots(std::span<const T> places, int degree, std::size_t coun
 /// source  Schoenberg and Whitney 1953; Givens 1958; Piegl and Tiller 1997, 9.2
 template <Floating T, int Degree, CartesianPoint P>
   requires Floating<scalar_of<P>>
-constexpr checked<T, bspline_fit_status> bspline_interpolate(const bspline_knots<T, Degree>& knots,
-                                                             std::type_identity_t<std::span<const T>> places,
-                                                             std::span<const P> points,
-                                                             std::type_identity_t<std::span<P>> result) {
-  IRG_EXPECTS(points.size() == knots.size() && places.size() == points.size() && result.size() >= knots.size());
-  return detail::fit_points(knots, places, points, fit_ends::through, result);
+constexpr result<T, bspline_fit_status> bspline_interpolate(const bspline_knots<T, Degree>& knots,
+                                                            std::type_identity_t<std::span<const T>> places,
+                                                            std::span<const P> points,
+                                                            std::type_identity_t<std::span<P>> control) {
+  IRG_EXPECTS(points.size() == knots.size() && places.size() == points.size() && control.size() >= knots.size());
+  return detail::fit_points(knots, places, points, fit_ends::through, control);
 }
 
 /// The control points of the curve over these knots with the least sum of squared distances from the points at their
@@ -285,12 +295,12 @@ constexpr checked<T, bspline_fit_status> bspline_interpolate(const bspline_knots
 /// source  Givens 1958; Piegl and Tiller 1997, 9.4
 template <Floating T, int Degree, CartesianPoint P>
   requires Floating<scalar_of<P>>
-constexpr checked<T, bspline_fit_status> bspline_least_squares(const bspline_knots<T, Degree>& knots,
-                                                               std::type_identity_t<std::span<const T>> places,
-                                                               std::span<const P> points, fit_ends ends,
-                                                               std::type_identity_t<std::span<P>> result) {
-  IRG_EXPECTS(places.size() == points.size() && !points.empty() && result.size() >= knots.size());
-  return detail::fit_points(knots, places, points, ends, result);
+constexpr result<T, bspline_fit_status> bspline_least_squares(const bspline_knots<T, Degree>& knots,
+                                                              std::type_identity_t<std::span<const T>> places,
+                                                              std::span<const P> points, fit_ends ends,
+                                                              std::type_identity_t<std::span<P>> control) {
+  IRG_EXPECTS(places.size() == points.size() && !points.empty() && control.size() >= knots.size());
+  return detail::fit_points(knots, places, points, ends, control);
 }
 
 }  // namespace IRG_ABI

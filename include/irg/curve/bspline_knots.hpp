@@ -42,6 +42,9 @@ constexpr knots_status insert_knots(const bspline_knots<T, Degree>& knots,
 
 namespace detail::inline IRG_ABI {
 
+// How many rows of knots.order() numbers bspline_elevate works in.
+inline constexpr std::size_t elevate_rows = 2;
+
 // Whether `fine` has every knot of `coarse` at least as often, and others only between first() and last().
 template <Floating T, int Degree, int OtherDegree>
 constexpr bool is_refined(const bspline_knots<T, Degree>& coarse, const bspline_knots<T, OtherDegree>& fine) noexcept {
@@ -129,6 +132,14 @@ constexpr bool bspline_refine(const bspline_knots<T, Degree>& knots, const R& po
   return true;
 }
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, int OtherDegree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
+constexpr bool bspline_refine(const bspline_knots<T, Degree>& knots, const R& points,
+                              const bspline_knots<T, OtherDegree>& refined, std::span<ring_point<R>> result,
+                              W&& memory = W{}) {
+  return bspline_refine(knots, points, refined, result, detail::room_for(memory.numbers, knots.order()));
+}
+
 /// Hands each polynomial piece of the curve to sink(from, to, control points): a Bezier curve over [from, to].
 /// needs   as many points as knots.size(); scratch for knots.order() numbers, piece for as many points
 /// exact   pieces begin and end at bspline_point's points bit for bit, and so join, but at knots of full multiplicity,
@@ -151,6 +162,14 @@ constexpr void bspline_bezier_pieces(const bspline_knots<T, Degree>& knots, cons
     }
     sink(knots[low], knots[low + 1], std::span<const ring_point<R>>(controls));
   }
+}
+
+/// The same, computed in a workspace, where the control points stand; allocates where that has too little memory.
+template <Floating T, int Degree, ControlPolygon R, class Sink, WorkspaceFor<R> W = workspace_for<R>>
+constexpr void bspline_bezier_pieces(const bspline_knots<T, Degree>& knots, const R& points, Sink&& sink,
+                                     W&& memory = W{}) {
+  bspline_bezier_pieces(knots, points, detail::room_for(memory.numbers, knots.order()),
+                        detail::room_for(memory.points, knots.order()), sink);
 }
 
 /// Writes the knots of the same curve with one degree more: each knot in [first(), last()] once more, the ends as often
@@ -183,7 +202,8 @@ constexpr void bspline_elevate(const bspline_knots<T, Degree>& knots, const R& p
                                const bspline_knots<T, OtherDegree>& elevated, std::span<ring_point<R>> result,
                                std::type_identity_t<std::span<T>> scratch) noexcept {
   const std::size_t order = knots.order();
-  IRG_EXPECTS(ring_size(points) == knots.size() && elevated.order() == order + 1 && scratch.size() >= 2 * order);
+  const std::size_t needed = detail::elevate_rows * order;
+  IRG_EXPECTS(ring_size(points) == knots.size() && elevated.order() == order + 1 && scratch.size() >= needed);
   IRG_EXPECTS(elevated.first() == knots.first() && elevated.last() == knots.last() && result.size() >= elevated.size());
   const auto value = scratch.first(order), sum = scratch.subspan(order, order);
   for (std::size_t j = 0; j < elevated.size(); ++j) {
@@ -201,6 +221,15 @@ constexpr void bspline_elevate(const bspline_knots<T, Degree>& knots, const R& p
     if (elevated[j + 1] != elevated[j + order]) detail::make_sum_one(sum);  // at an end they are bspline_basis's own
     result[j] = detail::blend_existing(sum, first, points);
   }
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int Degree, int OtherDegree, ControlPolygon R, WorkspaceFor<R> W = workspace_for<R>>
+constexpr void bspline_elevate(const bspline_knots<T, Degree>& knots, const R& points,
+                               const bspline_knots<T, OtherDegree>& elevated, std::span<ring_point<R>> result,
+                               W&& memory = W{}) {
+  const auto scratch = detail::room_for(memory.numbers, detail::elevate_rows * knots.order());
+  bspline_elevate(knots, points, elevated, result, scratch);
 }
 
 }  // namespace IRG_ABI

@@ -38,9 +38,27 @@ struct surface_piece {
 
 namespace detail::inline IRG_ABI {
 
+template <class P, int U, int V>
+using own_surface_workspace = own_workspace<P, U == degree_at_run_time || V == degree_at_run_time>;
+
 template <CurvePoint P, int U, int V>
 constexpr bool is_in_range(const bspline_surface<P, U, V>& s, const scalar_of<P>& u, const scalar_of<P>& v) noexcept {
   return s.u.first() <= u && u <= s.u.last() && s.v.first() <= v && v <= s.v.last();
+}
+
+// How many numbers a point, how many vectors the derivatives up to an order, and how many numbers the patches take.
+template <CurvePoint P, int U, int V>
+constexpr std::size_t point_room(const bspline_surface<P, U, V>& s) noexcept {
+  return s.u.order() + s.v.order();
+}
+template <CurvePoint P, int U, int V>
+constexpr std::size_t derivatives_room(const bspline_surface<P, U, V>& s, int order) noexcept {
+  const std::size_t rows = s.u.order(), columns = s.v.order();
+  return (static_cast<std::size_t>(order) + 1) * (rows + 1) + 2 * (rows < columns ? columns : rows);
+}
+template <CurvePoint P, int U, int V>
+constexpr std::size_t patches_room(const bspline_surface<P, U, V>& s) noexcept {
+  return s.u.order() * s.u.order() + s.v.order() * s.v.order();
 }
 
 // The sum of the control points that count, each times its two functions; those of value 0 do not count.
@@ -99,11 +117,18 @@ constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>&
                                                  std::type_identity_t<scalar_of<P>> v,
                                                  std::type_identity_t<std::span<scalar_of<P>>> scratch) noexcept {
   const std::size_t order_u = surface.u.order(), order_v = surface.v.order();
-  IRG_EXPECTS(scratch.size() >= order_u + order_v);
+  IRG_EXPECTS(scratch.size() >= detail::point_room(surface));
   const auto value_u = scratch.first(order_u), value_v = scratch.subspan(order_u, order_v);
   const auto i = bspline_basis(surface.u, u, value_u), j = bspline_basis(surface.v, v, value_v);
   if (!i || !j) return std::nullopt;
   return detail::blend_net(surface.net, *i, value_u, *j, value_v);
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <CurvePoint P, int U, int V, WorkspaceFor<P> W = detail::own_surface_workspace<P, U, V>>
+[[nodiscard]] constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>& surface, scalar_of<P> u,
+                                                               scalar_of<P> v, W&& memory = W{}) {
+  return bspline_surface_point(surface, u, v, detail::room_for(memory.numbers, detail::point_room(surface)));
 }
 
 /// The derivatives of the surface at (u, v) up to `order` times along u and along v: derivatives[k * (order + 1) + l]
@@ -122,7 +147,7 @@ constexpr bool bspline_surface_derivatives(const bspline_surface<P, U, V>& surfa
   using vector = typename curve_sample<P>::vector;
   const std::size_t count = static_cast<std::size_t>(order) + 1, rows = surface.u.order(), columns = surface.v.order();
   const std::size_t room = 2 * (rows < columns ? columns : rows);
-  IRG_EXPECTS(derivatives.size() >= count * count && scratch.size() >= count * (rows + 1) + room);
+  IRG_EXPECTS(derivatives.size() >= count * count && scratch.size() >= detail::derivatives_room(surface, order));
   if (!detail::is_in_range(surface, at.x, at.y)) return false;
   const std::size_t low_u = detail::bspline_stretch(surface.u, at.x), low_v = detail::bspline_stretch(surface.v, at.y);
   const auto work = scratch.first(room), result = scratch.subspan(room, count),
@@ -138,6 +163,15 @@ constexpr bool bspline_surface_derivatives(const bspline_surface<P, U, V>& surfa
     for (std::size_t k = 0; k < count; ++k) derivatives[k * count + l] = static_cast<vector>(result[k]);
   }
   return true;
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <CurvePoint P, int U, int V, WorkspaceFor<P> W = curve_workspace<P>>
+constexpr bool bspline_surface_derivatives(const bspline_surface<P, U, V>& surface, const vec<scalar_of<P>, 2>& at,
+                                           int order, std::span<typename curve_sample<P>::vector> derivatives,
+                                           W&& memory = W{}) {
+  return bspline_surface_derivatives(surface, at, order, derivatives,
+                                     detail::room_for(memory.vectors, detail::derivatives_room(surface, order)));
 }
 
 /// The point of the surface at (u, v) with its first derivatives and the mixed one.
@@ -160,6 +194,14 @@ template <CurvePoint P, int U, int V>
   std::array<typename curve_sample<P>::vector, static_cast<std::size_t>(2 * (U + 2) + 2 * ((U < V ? V : U) + 1))>
       room{};
   return bspline_surface_sample(surface, u, v, std::span<typename curve_sample<P>::vector>(room));
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <CurvePoint P, int U, int V, WorkspaceFor<P> W = detail::own_surface_workspace<P, U, V>>
+[[nodiscard]] constexpr std::optional<surface_sample<P>> bspline_surface_sample(const bspline_surface<P, U, V>& surface,
+                                                                                scalar_of<P> u, scalar_of<P> v,
+                                                                                W&& memory = W{}) {
+  return bspline_surface_sample(surface, u, v, detail::room_for(memory.vectors, detail::derivatives_room(surface, 1)));
 }
 
 /// The point of a rational surface with its derivatives from those of its homogeneous points.
@@ -205,6 +247,15 @@ constexpr std::optional<point<T, N>> nurbs_surface_point(const bspline_surface<h
   return p ? detail::cartesian_of(*p) : std::nullopt;
 }
 
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int N, int U, int V,
+          WorkspaceFor<hpoint<T, N>> W = detail::own_surface_workspace<hpoint<T, N>, U, V>>
+[[nodiscard]] constexpr std::optional<point<T, N>> nurbs_surface_point(
+    const bspline_surface<hpoint<T, N>, U, V>& surface, std::type_identity_t<T> u, std::type_identity_t<T> v,
+    W&& memory = W{}) {
+  return nurbs_surface_point(surface, u, v, detail::room_for(memory.numbers, detail::point_room(surface)));
+}
+
 /// The point of a rational B-spline surface (NURBS) with its first derivatives and the mixed one.
 /// needs   scratch as bspline_surface_derivatives of order 1
 /// gives   as nurbs_surface_point and rational_sample. A border that has shrunk to a point (control points that are the
@@ -235,11 +286,20 @@ template <Floating T, int N, int U, int V>
   return nurbs_surface_sample(surface, u, v, std::span<hpoint<T, N>>(room));
 }
 
-/// How t divides the knots' range: what surface_normal needs to know of a place.
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <Floating T, int N, int U, int V,
+          WorkspaceFor<hpoint<T, N>> W = detail::own_surface_workspace<hpoint<T, N>, U, V>>
+[[nodiscard]] constexpr std::optional<surface_sample<point<T, N>>> nurbs_surface_sample(
+    const bspline_surface<hpoint<T, N>, U, V>& surface, std::type_identity_t<T> u, std::type_identity_t<T> v,
+    W&& memory = W{}) {
+  return nurbs_surface_sample(surface, u, v, detail::room_for(memory.vectors, detail::derivatives_room(surface, 1)));
+}
+
+/// t as a parameter from 0 to 1 over the knots' range: what surface_normal needs to know of a place.
 /// needs   first() <= t <= last()
 template <Floating T, int Degree>
-[[nodiscard]] constexpr curve_parameter<T> share_of_range(const bspline_knots<T, Degree>& knots,
-                                                          std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr curve_parameter<T> normalized_parameter(const bspline_knots<T, Degree>& knots,
+                                                                std::type_identity_t<T> t) noexcept {
   return detail::share_of_stretch(knots.first(), knots.last(), static_cast<T>(t));
 }
 
@@ -254,7 +314,7 @@ constexpr void bspline_surface_patches(const bspline_surface<P, U, V>& surface,
                                        std::type_identity_t<std::span<scalar_of<P>>> scratch,
                                        std::type_identity_t<std::span<P>> piece, Sink&& sink) {
   const std::size_t rows = surface.u.order(), columns = surface.v.order();
-  IRG_EXPECTS(scratch.size() >= rows * rows + columns * columns && piece.size() >= rows * columns);
+  IRG_EXPECTS(scratch.size() >= detail::patches_room(surface) && piece.size() >= rows * columns);
   const auto share_u = [&](std::size_t i) { return scratch.subspan(i * rows, rows); };
   const auto share_v = [&](std::size_t j) { return scratch.subspan(rows * rows + j * columns, columns); };
   const auto end_u = surface.u.size(), end_v = surface.v.size();
@@ -278,6 +338,15 @@ constexpr void bspline_surface_patches(const bspline_surface<P, U, V>& surface,
                             {piece.first(rows * columns), columns}});
     }
 }
+
+/// The same, computed in a workspace, where the control points stand; allocates where that has too little memory.
+template <CurvePoint P, int U, int V, class Sink, WorkspaceFor<P> W = curve_workspace<P>>
+constexpr void bspline_surface_patches(const bspline_surface<P, U, V>& surface, Sink&& sink, W&& memory = W{}) {
+  bspline_surface_patches(surface, detail::room_for(memory.numbers, detail::patches_room(surface)),
+                          detail::room_for(memory.points, surface.u.order() * surface.v.order()), sink);
+}
+
+IRG_RENAMED(share_of_range, normalized_parameter)
 
 }  // namespace IRG_ABI
 }  // namespace irg

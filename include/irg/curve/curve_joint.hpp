@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How smoothly one Bezier curve goes on in another, decided exactly: the differences of the control points about the
-// joint are compared without rounding.
+// The continuity of two Bezier curves, how smoothly one goes on in the other, decided exactly: the differences of the
+// control points about the joint are compared without rounding.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace irg {
 
 /// How one curve goes on in the next: not at all; from the same point (C0); in the same direction (G1); with the same
 /// first derivative (C1); with the same first and second one (C2).
-enum class curve_joint { apart, position, direction, first_derivative, second_derivative };
+enum class curve_continuity { apart, position, direction, first_derivative, second_derivative };
 
 namespace detail::inline IRG_ABI {
 
@@ -95,7 +95,7 @@ constexpr bool same_direction(const A& a, const B& b) noexcept {
 
 inline namespace IRG_ABI {
 
-/// How smoothly the second curve goes on from the end of the first.
+/// The continuity at the joint: how smoothly the second curve goes on from the end of the first.
 /// needs   one or more control points each; how long a stretch of the parameter each curve takes, greater than 0
 /// gives   apart for coordinates that are not finite. Derivatives that are equal count even where both are zero, where
 ///         the curve may turn: a cusp is no matter of derivatives. A direction needs two that are not zero
@@ -104,24 +104,26 @@ inline namespace IRG_ABI {
 /// source  Farin 2002, 5.2 and 11.1
 template <ControlPoints R, ControlPoints S>
   requires(Floating<scalar_of<control_point<R>>> && std::is_same_v<control_point<R>, control_point<S>>)
-[[nodiscard]] constexpr curve_joint joint_of(const R& first, const S& second, double first_width = 1,
-                                             double second_width = 1) noexcept {
+[[nodiscard]] constexpr curve_continuity continuity_of(const R& first, const S& second, double first_width = 1,
+                                                       double second_width = 1) noexcept {
   constexpr int dimension = size_of<control_point<R>>;
   IRG_EXPECTS(ring_traits<R>::size(first) > 0 && ring_traits<S>::size(second) > 0);
   IRG_EXPECTS(first_width > 0 && second_width > 0);
   const detail::joint_side<R> a{first, true, first_width};
   const detail::joint_side<S> b{second, false, second_width};
-  if (!a.is_finite_near() || !b.is_finite_near()) return curve_joint::apart;
+  if (!a.is_finite_near() || !b.is_finite_near()) return curve_continuity::apart;
   bool meets = true, first_same = true, second_same = true;
   for (int axis = 0; axis < dimension; ++axis) {
     meets = meets && a.at(0, axis) == b.at(0, axis);
     first_same = first_same && meets && detail::same_first_derivative(a, b, axis);
     second_same = second_same && first_same && detail::same_second_derivative(a, b, axis);
   }
-  if (!meets) return curve_joint::apart;
-  if (first_same) return second_same ? curve_joint::second_derivative : curve_joint::first_derivative;
-  return detail::same_direction<dimension>(a, b) ? curve_joint::direction : curve_joint::position;
+  if (!meets) return curve_continuity::apart;
+  if (first_same) return second_same ? curve_continuity::second_derivative : curve_continuity::first_derivative;
+  return detail::same_direction<dimension>(a, b) ? curve_continuity::direction : curve_continuity::position;
 }
+
+IRG_RENAMED(joint_of, continuity_of)
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -17,7 +17,7 @@ namespace irg {
 struct flattening {
   std::size_t pieces = 0;
   bool within_tolerance = true;
-  constexpr bool operator==(const flattening&) const = default;
+  bool operator==(const flattening&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -50,6 +50,9 @@ constexpr scalar_of<P> chord_error_bound(std::span<const P> c) noexcept {
   return product(largest, static_cast<T>(static_cast<int>(n * (n - 1)))) / T(8);
 }
 
+// How many rows of as many points as the curve has flatten works in.
+inline constexpr std::size_t flatten_rows = 3;
+
 /// The bound for the stretch of the curve from first to last of 2^16.
 template <ControlPoints R>
 constexpr scalar_of<control_point<R>> stretch_error_bound(const R& points, int first, int last,
@@ -69,10 +72,10 @@ template <class IsWithin, class Sink>
 constexpr void each_longest_stretch(int end, int parts, const IsWithin& is_within, Sink&& sink) {
   int stride = end;
   for (int at = 0; at < end;) {
-    int good = at, bad = lesser(at + stride, end);  // from the last stretch's length up, then halving
+    int good = at, bad = minimum(at + stride, end);  // from the last stretch's length up, then halving
     while (good < end && is_within(at, bad)) {
       good = bad;
-      bad = lesser(at + 2 * (bad - at), end);
+      bad = minimum(at + 2 * (bad - at), end);
     }
     while (good < end && bad - good > 1 + (good - at) / parts) {
       const int middle = good + (bad - good) / 2;
@@ -105,7 +108,7 @@ constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<con
   using T = scalar_of<control_point<R>>;
   constexpr int end = 65536;
   const std::size_t count = ring_traits<R>::size(points);
-  IRG_EXPECTS(count > 0 && scratch.size() >= 3 * count);
+  IRG_EXPECTS(count > 0 && scratch.size() >= detail::flatten_rows * count);
   flattening done;
   sink(ring_traits<R>::vertex(points, 0));
   if (count < 2) return done;
@@ -117,6 +120,13 @@ constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<con
         sink(bezier_point(points, curve_fraction<T>(at, end), scratch));
       });
   return done;
+}
+
+/// The same, computed in a workspace; allocates where that has too little memory.
+template <ControlPoints R, class Sink, WorkspaceFor<R> W = workspace_for<R>>
+  requires CartesianPoint<control_point<R>> && Floating<scalar_of<control_point<R>>>
+constexpr flattening flatten(const R& points, scalar_of<control_point<R>> tolerance, Sink&& sink, W&& memory = W{}) {
+  return flatten(points, tolerance, detail::room_for(memory.points, points, detail::flatten_rows), sink);
 }
 
 }  // namespace IRG_ABI

@@ -19,6 +19,7 @@ template <Coordinates P>
 struct keyframe {
   scalar_of<P> time{};
   P place = zero_coordinates<P>();
+  IRG_APART constexpr bool operator==(const keyframe& o) const { return time == o.time && same_place(place, o.place); }
 };
 
 namespace detail::inline IRG_ABI {

@@ -45,13 +45,16 @@ struct surface_corner {
   std::size_t index = 0;
   curve_parameter<scalar_of<P>> u{}, v{};
   typename detail::surface_place<P>::type point{};
+  IRG_APART constexpr bool operator==(const surface_corner& o) const {
+    return index == o.index && u == o.u && v == o.v && same_place(point, o.point);
+  }
 };
 
 /// What became of a surface; whether each triangle is within the tolerance.
 struct surface_tessellation {
   std::size_t corners = 0, triangles = 0;
   bool within_tolerance = true;
-  constexpr bool operator==(const surface_tessellation&) const = default;
+  bool operator==(const surface_tessellation&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -156,7 +159,7 @@ constexpr surface_bends<scalar_of<P>> bends_of(const control_net<P>& net) noexce
     for (const P& p : net.points)
       for (int i = 0; i < w; ++i) origin[i] = origin[i] + p[i] / p[w] / count;
     for (const P& p : net.points) {
-      least = lesser(least, p[w]);
+      least = minimum(least, p[w]);
       raise_to(reach, length(to_cartesian(p) - origin));
     }
   }
@@ -396,8 +399,8 @@ private:
     const auto &out = outer(side), &in = inner(side).places;
     int widest = 0;
     each_in_side(side, [&](bool outward, std::size_t k, std::size_t j) {
-      const int from = lesser(out[k], in[j]), to = outward ? greater(out[k + 1], in[j]) : greater(out[k], in[j + 1]);
-      widest = greater(widest, to - from);
+      const int from = minimum(out[k], in[j]), to = outward ? maximum(out[k + 1], in[j]) : maximum(out[k], in[j + 1]);
+      widest = maximum(widest, to - from);
       return true;
     });
     const T share = static_cast<T>(widest) / static_cast<T>(patch_steps), square = product(share, share);
@@ -420,7 +423,7 @@ private:
     each_in_side(side, [&](bool outward, std::size_t k, std::size_t j) {
       const int a = outward ? out[k] : along[j], b = outward ? out[k + 1] : along[j + 1];
       const int apex = outward ? along[j] : out[k];
-      const int from = lesser(a, apex), to = greater(b, apex);
+      const int from = minimum(a, apex), to = maximum(b, apex);
       const auto bends = bends_.in(box(from, to));
       if (bends.error() <= tolerance_) return true;
       // The stretch of the lattice that makes it wide: its base, or the one between the base and its apex.

@@ -39,6 +39,7 @@ struct complex_plane {
   [[nodiscard]] IRG_INLINE constexpr point<T, 2> at(int x, int y) const noexcept {
     return {real(static_cast<T>(x)), imaginary(static_cast<T>(y))};
   }
+  bool operator==(const complex_plane&) const = default;
 
 private:
   template <class F>

@@ -24,26 +24,27 @@ struct deep_escape_job {
   fixed_point<N> re{}, im{};  // the centre
   double pixel = 0;  // the side of a pixel in the plane
   escape_limit<double> limit{};
+  bool operator==(const deep_escape_job&) const = default;
 };
 
 /// What became of a deep picture's pixels.
-struct deep_escape_stats {
+struct deep_escape_counts {
   std::int64_t reference = 0;  // steps of the orbit with many digits
   std::int64_t rebased = 0;  // how often a glitch was detected, and cured
-  constexpr bool operator==(const deep_escape_stats&) const = default;
+  bool operator==(const deep_escape_counts&) const = default;
 };
 
 /// A point Z of an orbit of many digits, and radius^2 - |Z|^2, both rounded at the end.
 template <class T>
 struct reference_point {
   T x{}, y{}, room{};
-  constexpr bool operator==(const reference_point&) const = default;
+  bool operator==(const reference_point&) const = default;
 };
 
 /// A pixel's count, and how many glitches were cured on the way.
 struct perturbed_count {
   int count = 0, rebased = 0;
-  constexpr bool operator==(const perturbed_count&) const = default;
+  bool operator==(const perturbed_count&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -104,7 +105,7 @@ template <Real T = double, int N>
                                                                         const escape_limit<double>& limit) {
   std::vector<reference_point<T>> orbit(1, reference_point<T>{T(0), T(0), T(limit.square)});
   const bool is_near = limit.square < detail::largest_room_square;
-  const double end = lesser(greater(limit.square, 0x1p40), detail::last_square);
+  const double end = minimum(maximum(limit.square, 0x1p40), detail::last_square);
   const fixed_point<2 * N> square(is_near ? limit.square * 0x1p-64 : 0);
   fixed_point<N> x, y;
   fixed_point<2 * N> xx, yy;
@@ -172,7 +173,7 @@ template <Real T>
 /// source  Martin 2013; Zhuoran 2021
 template <Real T = double, CountRaster R, int N, Executor E = sequential>
   requires detail::PerturbedNumber<T>
-constexpr deep_escape_stats draw_deep_mandelbrot(R& counts, const deep_escape_job<N>& job, const E& executor = {}) {
+constexpr deep_escape_counts draw_deep_mandelbrot(R& counts, const deep_escape_job<N>& job, const E& executor = {}) {
   const int width = width_of(counts), height = height_of(counts);
   if (width < 1 || height < 1) return {};
   const auto orbit = reference_orbit<T>(job.re, job.im, job.limit);
@@ -187,7 +188,7 @@ constexpr deep_escape_stats draw_deep_mandelbrot(R& counts, const deep_escape_jo
       rebased[i] += c.rebased;
     }
   });
-  deep_escape_stats stats{static_cast<std::int64_t>(orbit.size()) - 1, 0};
+  deep_escape_counts stats{static_cast<std::int64_t>(orbit.size()) - 1, 0};
   for (const std::int64_t n : rebased) stats.rebased += n;
   return stats;
 }

@@ -18,7 +18,7 @@ template <Floating T>
 struct escape_distance {
   int count = 0;
   T at_least = 0, at_most = 0;  // 0 for what stays
-  constexpr bool operator==(const escape_distance&) const = default;
+  bool operator==(const escape_distance&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -26,7 +26,7 @@ namespace detail::inline IRG_ABI {
 // The larger of |x| and |y|.
 template <class T>
 constexpr T reach_of(const point<T, 2>& z) noexcept {
-  return greater(magnitude(z.x), magnitude(z.y));
+  return maximum(magnitude(z.x), magnitude(z.y));
 }
 template <class T>
 constexpr point<T, 2> complex_product(const point<T, 2>& a, const point<T, 2>& b) noexcept {

@@ -25,28 +25,28 @@ namespace irg {
 // What a picture of escape counts is made of, what may be skipped, and what was.
 
 /// What may be left out because its count is known. Counts do not change.
-struct escape_skips {
+struct escape_options {
   skipping interior = skipping::on;  // points of the cardioid and the disc of period 2
   skipping cycles = skipping::on;    // orbits that come back to a point where they were before
   skipping squares = skipping::on;   // squares of pixels that one orbit of discs shows to have one count
-  constexpr bool operator==(const escape_skips&) const = default;
+  bool operator==(const escape_options&) const = default;
 };
 
 /// What was left out. Independent of the executor; cycles depend on the lanes that compute side by side.
-struct escape_stats {
+struct escape_counts {
   std::int64_t pixels = 0;    // all
   std::int64_t interior = 0;  // without an orbit
   std::int64_t cycles = 0;    // whose orbit was cut short
   std::int64_t squares = 0;   // in squares of one count, without orbits of their own
 
-  IRG_INLINE constexpr escape_stats& operator+=(const escape_stats& o) noexcept {
+  IRG_INLINE constexpr escape_counts& operator+=(const escape_counts& o) noexcept {
     pixels += o.pixels;
     interior += o.interior;
     cycles += o.cycles;
     squares += o.squares;
     return *this;
   }
-  constexpr bool operator==(const escape_stats&) const = default;
+  bool operator==(const escape_counts&) const = default;
 };
 
 /// The counts of a picture: how its orbits begin and end.
@@ -54,7 +54,8 @@ template <Floating T>
 struct escape_job {
   complex_plane<T> plane{};
   escape_limit<T> limit{};
-  escape_skips skip{};
+  escape_options skip{};
+  bool operator==(const escape_job&) const = default;
 };
 
 }  // namespace irg
@@ -73,13 +74,13 @@ inline namespace IRG_ABI {
 /// cost    the orbits; allocates a few numbers per row
 /// source  Mandelbrot 1980; Brent 1980 for cycles
 template <CountRaster R, Floating T, Executor E = sequential>
-constexpr escape_stats draw_mandelbrot(R& counts, const escape_job<T>& job, const E& executor = {});
+constexpr escape_counts draw_mandelbrot(R& counts, const escape_job<T>& job, const E& executor = {});
 
 /// The counts of the Julia set of z^2 + c in every pixel, and what was skipped.
 /// shape   as draw_mandelbrot
 /// exact   those of julia_count of the pixel's number, with skips on and off, in lanes and one by one
 template <CountRaster R, Floating T, Executor E = sequential>
-constexpr escape_stats draw_julia(R& counts, const escape_job<T>& job, const point<T, 2>& c, const E& executor = {});
+constexpr escape_counts draw_julia(R& counts, const escape_job<T>& job, const point<T, 2>& c, const E& executor = {});
 
 }  // namespace IRG_ABI
 
@@ -98,11 +99,11 @@ struct escape_disc {
 template <class T>
 constexpr escape_disc<T> disc_about(const point<T, 2>& a, const point<T, 2>& b) noexcept {
   const point<T, 2> m{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  const T x = greater(greater(a.x, b.x) - m.x, m.x - lesser(a.x, b.x)),
-          y = greater(greater(a.y, b.y) - m.y, m.y - lesser(a.y, b.y));
+  const T x = maximum(maximum(a.x, b.x) - m.x, m.x - minimum(a.x, b.x)),
+          y = maximum(maximum(a.y, b.y) - m.y, m.y - minimum(a.y, b.y));
   const T ulps = 8 * std::numeric_limits<T>::epsilon();
   const T size = sqrt(squared_size(x, y));
-  return {m, size + product(size, ulps) + product(greater(magnitude(m.x), magnitude(m.y)), ulps)};
+  return {m, size + product(size, ulps) + product(maximum(magnitude(m.x), magnitude(m.y)), ulps)};
 }
 
 // The count that all orbits of z in one disc with c in another have, or -1 where they may differ.
@@ -114,7 +115,7 @@ constexpr int common_count(escape_disc<T> z, const escape_disc<T>& c, const esca
   if (!(limit.square > 0 && limit.square <= T(0x1p20f))) return -1;
   const T radius = sqrt(limit.square), inner = radius - product(radius, 16 * u),
           outer = radius + product(radius, 16 * u);
-  const T away = greater(magnitude(c.middle.x), magnitude(c.middle.y)) + c.reach;
+  const T away = maximum(magnitude(c.middle.x), magnitude(c.middle.y)) + c.reach;
   if (!(away <= T(0x1p20f))) return -1;
   // What a step rounds, the middle's and each orbit's.
   const T rounded = product(64 * u, limit.square + radius + away);
@@ -323,8 +324,8 @@ constexpr bool skips_interior(const escape_job<T>& job) noexcept {
 
 // One row, pixel by pixel, for constant evaluation.
 template <class T, class Orbits, class P>
-constexpr escape_stats escape_row_plainly(P* row, int y, const escape_job<T>& job, const Orbits& orbits) {
-  escape_stats stats{job.plane.width, 0, 0};
+constexpr escape_counts escape_row_plainly(P* row, int y, const escape_job<T>& job, const Orbits& orbits) {
+  escape_counts stats{job.plane.width, 0, 0};
   const bool skips = skips_interior<Orbits>(job);
   for (int x = 0; x < job.plane.width; ++x) {
     const point<T, 2> at = job.plane.at(x, y);
@@ -368,7 +369,7 @@ public:
     for (std::int64_t x = 0; x < job_.plane.width; x += kernel::count) {
       if (all_known(known, x)) continue;
       kernel k;
-      const int here = static_cast<int>(lesser<std::int64_t>(kernel::count, job_.plane.width - x));
+      const int here = static_cast<int>(minimum<std::int64_t>(kernel::count, job_.plane.width - x));
       const bool looks_inside =
           low && meets_interior(job_.plane.real(static_cast<T>(x)), job_.plane.real(static_cast<T>(x + here - 1)));
       for (unsigned p = 0; p < packs; ++p) {
@@ -389,7 +390,7 @@ public:
         k.counts[p] = select(inner, lanes<mask>::broadcast(job_.limit.most), k.counts[p]);
       }
       k.begin();
-      k.run_short(job_.limit, lesser(short_steps, job_.limit.most));
+      k.run_short(job_.limit, minimum(short_steps, job_.limit.most));
       const bool later = !goes_on(k);
       store(k, row + x, here);
       if (later) keep_for_later(k, row + x);
@@ -402,14 +403,14 @@ public:
     const int width = job_.plane.width;
     std::vector<int> known(static_cast<std::size_t>((width + square_side - 1) / square_side), -1);
     for (int top = y; top < end; top += square_side) {
-      const int bottom = lesser(top + square_side, end);
+      const int bottom = minimum(top + square_side, end);
       if (job_.skip.squares == skipping::on) find_squares(known.data(), top, bottom);
       for (int at = top; at < bottom; ++at) {
         P* const pixels = row_at(at);
         row(pixels, at, known.data());
         for (std::size_t k = 0; k < known.size(); ++k) {
           if (known[k] < 0) continue;
-          const int first = static_cast<int>(k) * square_side, last = lesser(first + square_side, width);
+          const int first = static_cast<int>(k) * square_side, last = minimum(first + square_side, width);
           for (int x = first; x < last; ++x) pixels[x] = static_cast<P>(known[k]);
           stats_.squares += last - first;
         }
@@ -417,7 +418,7 @@ public:
     }
   }
 
-  IRG_NOINLINE escape_stats finish() noexcept {
+  IRG_NOINLINE escape_counts finish() noexcept {
     if (queue_.count > 0) run_queue();
     return stats_;
   }
@@ -426,7 +427,7 @@ private:
   // The counts of the squares between two rows, each of which one orbit of discs may tell.
   IRG_NOINLINE void find_squares(int* known, int top, int bottom) const noexcept {
     for (int x = 0; x < job_.plane.width; x += square_side) {
-      const int last = lesser(x + square_side, job_.plane.width) - 1;
+      const int last = minimum(x + square_side, job_.plane.width) - 1;
       *known++ = orbits_.common(disc_about(job_.plane.at(x, top), job_.plane.at(last, bottom - 1)), job_.limit);
     }
   }
@@ -437,7 +438,7 @@ private:
   }
   // Whether the cardioid and the disc reach between two real parts.
   IRG_INLINE static bool meets_interior(T a, T b) noexcept {
-    return lesser(a, b) < T(0.376f) && greater(a, b) > T(-1.251f);
+    return minimum(a, b) < T(0.376f) && maximum(a, b) > T(-1.251f);
   }
   IRG_INLINE static void store(const kernel& k, P* to, int here) noexcept {
     using counted = pack<P, f::count>;
@@ -488,7 +489,7 @@ private:
 
   // The last orbits of the queue, as many as run side by side.
   IRG_NOINLINE void run_queue() noexcept {
-    const unsigned here = lesser(queue_.count, static_cast<unsigned>(kernel::count)), first = queue_.count - here;
+    const unsigned here = minimum(queue_.count, static_cast<unsigned>(kernel::count)), first = queue_.count - here;
     kernel k;
     for (unsigned p = 0; p < packs; ++p) {
       const auto at = [&](const T* all) { return f::load(all + first + p * static_cast<unsigned>(f::count)); };
@@ -511,13 +512,13 @@ private:
   const escape_job<T>& job_;
   const Orbits& orbits_;
   bool skips_, stays_out_;
-  escape_stats stats_{};
+  escape_counts stats_{};
   escape_queue<T, P, 2 * static_cast<unsigned>(kernel::count)> queue_{};
 };
 
 template <class P, class RowAt, class T, class Orbits>
-escape_stats escape_band_in_lanes(const RowAt& row_at, int first, int last, const escape_job<T>& job,
-                                  const Orbits& orbits) {
+escape_counts escape_band_in_lanes(const RowAt& row_at, int first, int last, const escape_job<T>& job,
+                                   const Orbits& orbits) {
   escape_rows<T, Orbits, P> rows(job, orbits);
   rows.band(row_at, first, last);
   return rows.finish();
@@ -525,27 +526,27 @@ escape_stats escape_band_in_lanes(const RowAt& row_at, int first, int last, cons
 
 // The rows from `first` to before `last` of a picture of pixels P.
 template <class P, class RowAt, class T, class Orbits>
-constexpr escape_stats escape_band(const RowAt& row_at, int first, int last, const escape_job<T>& job,
-                                   const Orbits& orbits) {
+constexpr escape_counts escape_band(const RowAt& row_at, int first, int last, const escape_job<T>& job,
+                                    const Orbits& orbits) {
   if (!std::is_constant_evaluated()) return escape_band_in_lanes<P>(row_at, first, last, job, orbits);
-  escape_stats stats;
+  escape_counts stats;
   for (int y = first; y < last; ++y) stats += escape_row_plainly(row_at(y), y, job, orbits);
   return stats;
 }
 
 template <class R, class T, class Orbits, class E>
-constexpr escape_stats draw_counts_of(R& counts, const escape_job<T>& job, const Orbits& orbits, const E& executor) {
+constexpr escape_counts draw_counts_of(R& counts, const escape_job<T>& job, const Orbits& orbits, const E& executor) {
   IRG_EXPECTS(width_of(counts) == job.plane.width && height_of(counts) == job.plane.height);
   constexpr int band = 16;  // rows of a task
   const int height = height_of(counts);
-  std::vector<escape_stats> of_band(static_cast<std::size_t>((height + band - 1) / band), escape_stats{});
+  std::vector<escape_counts> of_band(static_cast<std::size_t>((height + band - 1) / band), escape_counts{});
   executor(of_band.size(), [&](std::size_t i) {
-    const int first = static_cast<int>(i) * band, last = lesser(first + band, height);
+    const int first = static_cast<int>(i) * band, last = minimum(first + band, height);
     const auto row_at = [&](int y) { return raster_traits<R>::row(counts, y); };
     of_band[i] = escape_band<pixel_of<R>>(row_at, first, last, job, orbits);
   });
-  escape_stats stats;
-  for (const escape_stats& s : of_band) stats += s;
+  escape_counts stats;
+  for (const escape_counts& s : of_band) stats += s;
   return stats;
 }
 
@@ -554,12 +555,12 @@ constexpr escape_stats draw_counts_of(R& counts, const escape_job<T>& job, const
 inline namespace IRG_ABI {
 
 template <CountRaster R, Floating T, Executor E>
-constexpr escape_stats draw_mandelbrot(R& counts, const escape_job<T>& job, const E& executor) {
+constexpr escape_counts draw_mandelbrot(R& counts, const escape_job<T>& job, const E& executor) {
   return detail::draw_counts_of(counts, job, detail::mandelbrot_orbits<T>{}, executor);
 }
 
 template <CountRaster R, Floating T, Executor E>
-constexpr escape_stats draw_julia(R& counts, const escape_job<T>& job, const point<T, 2>& c, const E& executor) {
+constexpr escape_counts draw_julia(R& counts, const escape_job<T>& job, const point<T, 2>& c, const E& executor) {
   return detail::draw_counts_of(counts, job, detail::julia_orbits<T>{c}, executor);
 }
 

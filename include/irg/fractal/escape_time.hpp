@@ -27,7 +27,7 @@ template <Floating T>
 struct escape_limit {
   T square;  // |z| < radius just where |z|^2, rounded, is less than this
   int most;
-  constexpr bool operator==(const escape_limit&) const = default;
+  bool operator==(const escape_limit&) const = default;
 };
 
 /// Where an orbit ended.
@@ -35,7 +35,7 @@ template <Floating T>
 struct escape_end {
   int count;
   point<T, 2> z;  // the last point: outside of the disc, or still within it after `most` steps
-  constexpr bool operator==(const escape_end&) const = default;
+  bool operator==(const escape_end&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

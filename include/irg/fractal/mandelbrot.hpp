@@ -15,6 +15,7 @@ struct square_plus {
   IRG_INLINE constexpr point<T, 2> operator()(const point<T, 2>& z) const noexcept {
     return {product(z.x, z.x) - product(z.y, z.y) + c.x, product(z.x + z.x, z.y) + c.y};
   }
+  bool operator==(const square_plus&) const = default;
 };
 
 /// Parts of the Mandelbrot set whose points are known to stay bounded: c within them needs no orbit.

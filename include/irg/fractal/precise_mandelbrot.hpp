@@ -17,7 +17,7 @@ namespace irg {
 struct sure_count {
   int count = 0;
   bool is_sure = false;
-  constexpr bool operator==(const sure_count&) const = default;
+  bool operator==(const sure_count&) const = default;
 };
 
 /// A picture of square pixels about a centre of 106 bits.
@@ -26,14 +26,15 @@ struct precise_escape_job {
   double_double re{}, im{};  // the centre
   double pixel = 0;  // the side of a pixel in the plane
   escape_limit<double> limit{};
+  bool operator==(const precise_escape_job&) const = default;
 };
 
 /// What became of a precise picture's pixels.
-struct precise_escape_stats {
+struct precise_escape_counts {
   std::int64_t pixels = 0;  // all
   std::int64_t again = 0;  // computed with more digits
   std::int64_t unsure = 0;  // for which they were too few, too
-  constexpr bool operator==(const precise_escape_stats&) const = default;
+  bool operator==(const precise_escape_counts&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -106,11 +107,11 @@ template <class T = double_double>
 /// exact   sure_mandelbrot_count, with 448 binary places where 106 bits are unsure and the radius is at most 2^20
 /// cost    some 15 times as long as in doubles, ten times that for what is computed again; allocates a number per row
 template <CountRaster R, Executor E = sequential>
-constexpr precise_escape_stats draw_mandelbrot(R& counts, const precise_escape_job& job, const E& executor = {}) {
+constexpr precise_escape_counts draw_mandelbrot(R& counts, const precise_escape_job& job, const E& executor = {}) {
   const int width = width_of(counts), height = height_of(counts);
   if (width < 1 || height < 1) return {};
   const bool in_reach = magnitude(job.limit.square) <= detail::largest_fixed_square;
-  std::vector<precise_escape_stats> of_row(static_cast<std::size_t>(height), precise_escape_stats{});
+  std::vector<precise_escape_counts> of_row(static_cast<std::size_t>(height), precise_escape_counts{});
   executor(of_row.size(), [&](std::size_t i) {
     const int y = static_cast<int>(i);
     const double up = product((height - 1) * 0.5 - y, job.pixel);
@@ -129,8 +130,8 @@ constexpr precise_escape_stats draw_mandelbrot(R& counts, const precise_escape_j
       set_pixel(counts, x, y, static_cast<pixel_of<R>>(k.count));
     }
   });
-  precise_escape_stats stats{std::int64_t{width} * height, 0, 0};
-  for (const precise_escape_stats& s : of_row) {
+  precise_escape_counts stats{std::int64_t{width} * height, 0, 0};
+  for (const precise_escape_counts& s : of_row) {
     stats.again += s.again;
     stats.unsure += s.unsure;
   }

@@ -110,7 +110,7 @@ constexpr auto scale_of_sides(const P& a, const P& b, const P& c) noexcept {
   if constexpr (Floating<scalar_of<P>>) {
     double largest = 0;
     for (const vec<double, 3>& side : {scaled_way(a, b, 1.0), scaled_way(a, c, 1.0)})
-      for (int i = 0; i < 3; ++i) largest = greater(largest, magnitude(side[i]));
+      for (int i = 0; i < 3; ++i) largest = maximum(largest, magnitude(side[i]));
     return normalizing_power_of_two(largest);
   } else {
     return scalar_of<P>(1);
@@ -119,7 +119,7 @@ constexpr auto scale_of_sides(const P& a, const P& b, const P& c) noexcept {
 
 // Whether no coordinate of v * scale is beyond 2^900, found without overflow.
 IRG_INLINE constexpr bool stays_moderate(const vec<double, 3>& v, double scale) noexcept {
-  const double largest = greater(greater(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+  const double largest = maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
   return scale > 1 ? largest < 0x1p900 / scale : largest * scale < 0x1p900;
 }
 
@@ -155,13 +155,13 @@ constexpr triangle_part part_in(plane_axes k, const P& a, const P& b, const P& c
 inline namespace IRG_ABI {
 
 /// The axis (0, 1, 2 for x, y, z) along which a triangle in space shows the largest area: that of the largest component
-/// of its normal; the lowest such axis when several are equal.
+/// of its normal; the lowest such axis when several are equal. Without this coordinate it is a triangle in the plane.
 /// needs   finite coordinates
 /// gives   nothing for a triangle without area
 /// exact   decided exactly for every float and double
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-[[nodiscard]] constexpr std::optional<int> widest_view(const P& a, const P& b, const P& c) noexcept {
+[[nodiscard]] constexpr std::optional<int> dropped_axis(const P& a, const P& b, const P& c) noexcept {
   int best = 0;
   if constexpr (Floating<scalar_of<P>>) {
     const detail::plane_corners seen[] = {detail::corners_in(detail::axes_across(0), a, b, c),
@@ -186,8 +186,8 @@ template <Point P>
 }
 
 /// The barycentric coordinates of T in the triangle A, B, C: A*t1 + B*t2 + C*t3 = T and t1 + t2 + t3 = 1.
-/// shape   points of the plane, or of space; there T is first moved along the axis of widest_view into the plane of the
-///         triangle, so that the result means something for every T
+/// shape   points of the plane, or of space; there T is first moved along dropped_axis into the plane of the triangle,
+///         so that the result means something for every T
 /// needs   finite coordinates
 /// gives   nothing for a triangle without area
 /// exact   in rationals. Each coordinate within 0.51 ulp of the exact one (float 0.501; subnormal and beyond 2^960
@@ -202,7 +202,7 @@ template <Point P>
   if constexpr (size_of<P> == 2) {
     return detail::barycentric_in({0, 1}, a, b, c, t);
   } else {
-    const std::optional<int> axis = widest_view(a, b, c);
+    const std::optional<int> axis = dropped_axis(a, b, c);
     if (!axis) return std::nullopt;
     return detail::barycentric_in(detail::axes_across(*axis), a, b, c, t);
   }
@@ -231,13 +231,13 @@ template <Point P>
 /// gives   nothing for a triangle without area, decided exactly; in floats also for one that is 10^150 times as long as
 ///         wide, and for T so far away that the coordinates overflow
 /// exact   in rationals; in floats some u times the square of the triangle's longest side over its area
-/// cost    about 70 operations and widest_view
+/// cost    about 70 operations and dropped_axis
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 [[nodiscard]] constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_orthogonal(const P& a, const P& b, const P& c,
                                                                                    const P& t) noexcept {
   using T = scalar_of<P>;
-  if (!widest_view(a, b, c)) return std::nullopt;
+  if (!dropped_axis(a, b, c)) return std::nullopt;
   const auto scale = detail::scale_of_sides(a, b, c);
   const auto way = [&](const P& from, const P& to) { return detail::scaled_way(from, to, scale); };
   if constexpr (Floating<T>)
@@ -260,7 +260,7 @@ template <Point P>
 }
 
 /// Where a point lies against a triangle in space: whether in its plane, and which part of it T is on once it is moved
-/// along the axis of widest_view into that plane.
+/// along dropped_axis into that plane.
 /// needs   finite coordinates
 /// gives   nothing for a triangle without area
 /// exact   for every finite float and double
@@ -268,7 +268,7 @@ template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 [[nodiscard]] constexpr std::optional<triangle_location> locate_in_triangle(const P& a, const P& b, const P& c,
                                                                             const P& t) noexcept {
-  const std::optional<int> axis = widest_view(a, b, c);
+  const std::optional<int> axis = dropped_axis(a, b, c);
   if (!axis) return std::nullopt;
   return triangle_location{orient3d(a, b, c, t) == 0, detail::part_in(detail::axes_across(*axis), a, b, c, t)};
 }
@@ -282,14 +282,16 @@ template <Real T>
                                                  const std::type_identity_t<T>& x3) noexcept {
   const T value = product(x1, t.x) + product(x2, t.y) + product(x3, t.z);
   if (t.x < T(0) || t.y < T(0) || t.z < T(0)) return value;
-  return clamp(value, lesser(lesser(x1, x2), x3), greater(greater(x1, x2), x3));
+  return clamped(value, minimum(minimum(x1, x2), x3), maximum(maximum(x1, x2), x3));
 }
 
 IRG_REFUSES_VECTORS(barycentric);
 IRG_REFUSES_VECTORS(barycentric_fast);
 IRG_REFUSES_VECTORS(barycentric_orthogonal);
 IRG_REFUSES_VECTORS(locate_in_triangle);
-IRG_REFUSES_VECTORS(widest_view);
+IRG_REFUSES_VECTORS(dropped_axis);
+
+IRG_RENAMED(widest_view, dropped_axis)
 
 }  // namespace IRG_ABI
 }  // namespace irg

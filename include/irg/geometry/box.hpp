@@ -51,6 +51,13 @@ template <Scalar T, int N>
 struct box {
   point<T, N> low = detail::diagonal_point<T, N>(detail::empty_extent<T>::low());
   point<T, N> high = detail::diagonal_point<T, N>(detail::empty_extent<T>::high());
+
+  /// Whether the box contains no point.
+  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept {
+    for (int i = 0; i < N; ++i)
+      if (!(low[i] < high[i] || low[i] == high[i])) return true;
+    return false;
+  }
   bool operator==(const box&) const = default;
 };
 
@@ -70,12 +77,11 @@ struct bounding_sphere {
 
 inline namespace IRG_ABI {
 
-/// Whether the box contains no point.
-template <class T, int N>
-[[nodiscard]] IRG_INLINE constexpr bool is_empty(const box<T, N>& b) noexcept {
-  for (int i = 0; i < N; ++i)
-    if (!(b.low[i] < b.high[i] || b.low[i] == b.high[i])) return true;
-  return false;
+/// Writes the two corners, "((0, 0), (1, 1))".
+template <class S, class T, int N>
+  requires TextStream<S, T>
+constexpr S& operator<<(S& stream, const box<T, N>& b) {
+  return print_list(stream, 2, [&](int i) { return i == 0 ? b.low : b.high; });
 }
 
 /// The smallest box around b and p.
@@ -84,9 +90,9 @@ template <class T, int N>
 template <class T, int N>
 [[nodiscard]] IRG_INLINE constexpr box<T, N> bounding_box(const box<T, N>& b, const point<T, N>& p) noexcept {
   if constexpr (!std::numeric_limits<T>::is_specialized)
-    if (is_empty(b)) return {p, p};
-  return {generate_coordinates<point<T, N>>([&](int i) { return lesser(p[i], b.low[i]); }),
-          generate_coordinates<point<T, N>>([&](int i) { return greater(p[i], b.high[i]); })};
+    if (b.empty()) return {p, p};
+  return {generate_coordinates<point<T, N>>([&](int i) { return minimum(p[i], b.low[i]); }),
+          generate_coordinates<point<T, N>>([&](int i) { return maximum(p[i], b.high[i]); })};
 }
 
 /// The smallest box around a and b.
@@ -94,8 +100,8 @@ template <class T, int N>
 /// exact   no arithmetic
 template <class T, int N>
 [[nodiscard]] IRG_INLINE constexpr box<T, N> bounding_box(const box<T, N>& a, const box<T, N>& b) noexcept {
-  if (is_empty(a)) return b;
-  if (is_empty(b)) return a;
+  if (a.empty()) return b;
+  if (b.empty()) return a;
   return bounding_box(bounding_box(a, b.low), b.high);
 }
 
@@ -139,7 +145,7 @@ template <Mesh M>
 template <class T, int N>
 [[nodiscard]] IRG_INLINE constexpr bool overlap(const box<T, N>& a, const box<T, N>& b,
                                                 box_boundary boundary = box_boundary::closed) noexcept {
-  if (is_empty(a) || is_empty(b)) return false;
+  if (a.empty() || b.empty()) return false;
   for (int i = 0; i < N; ++i) {
     if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return false;
     if (boundary == box_boundary::open && (a.high[i] == b.low[i] || b.high[i] == a.low[i])) return false;
@@ -153,8 +159,8 @@ template <class T, int N>
 template <class T, int N>
 [[nodiscard]] IRG_INLINE constexpr box<T, N> intersect(const box<T, N>& a, const box<T, N>& b) noexcept {
   if (!overlap(a, b)) return {};
-  return {generate_coordinates<point<T, N>>([&](int i) { return greater(a.low[i], b.low[i]); }),
-          generate_coordinates<point<T, N>>([&](int i) { return lesser(a.high[i], b.high[i]); })};
+  return {generate_coordinates<point<T, N>>([&](int i) { return maximum(a.low[i], b.low[i]); }),
+          generate_coordinates<point<T, N>>([&](int i) { return minimum(a.high[i], b.high[i]); })};
 }
 
 /// Whether p lies in the box or on its boundary.
@@ -162,7 +168,7 @@ template <class T, int N>
 /// exact   comparisons alone
 template <class T, int N>
 [[nodiscard]] IRG_INLINE constexpr bool contains(const box<T, N>& b, const point<T, N>& p) noexcept {
-  return !is_empty(box<T, N>{p, p}) && overlap(b, box<T, N>{p, p});
+  return !box<T, N>{p, p}.empty() && overlap(b, box<T, N>{p, p});
 }
 
 /// The edge lengths.
@@ -170,7 +176,7 @@ template <class T, int N>
 /// exact   each difference rounded once
 template <class T, int N>
 [[nodiscard]] constexpr vec<T, N> extent(const box<T, N>& b) noexcept {
-  if (is_empty(b)) return {};
+  if (b.empty()) return {};
   return b.high - b.low;
 }
 
@@ -179,7 +185,7 @@ template <class T, int N>
 /// exact   (low + high)/2, rounded once unless subnormal; no overflow for finite corners
 template <Real T, int N>
 [[nodiscard]] constexpr point<T, N> centre(const box<T, N>& b) noexcept {
-  IRG_EXPECTS(!is_empty(b));
+  IRG_EXPECTS(!b.empty());
   return generate_coordinates<point<T, N>>([&](int i) {
     if constexpr (std::numeric_limits<T>::is_bounded) {
       const T half = (std::numeric_limits<T>::max)() / T(2);
@@ -204,7 +210,7 @@ template <Floating T, int N>
 [[nodiscard]] constexpr bounding_sphere<T, N> bounding_sphere_of(const box<T, N>& b) noexcept {
   const point<T, N> middle = centre(b);
   const vec<T, N> half = generate_coordinates<vec<T, N>>([&](int i) {
-    return greater(b.high[i] - middle[i], middle[i] - b.low[i]);  // the centre may be rounded towards either
+    return maximum(b.high[i] - middle[i], middle[i] - b.low[i]);  // the centre may be rounded towards either
   });
   return {middle, length(half)};
 }
@@ -221,7 +227,7 @@ template <Mesh M>
   for (std::size_t v = 0; v < traits::vertex_count(m); ++v) {
     const auto from_centre = generate_coordinates<vec<T, size_of<typename traits::point>>>(
         [&](int i) { return coordinate(traits::position(m, v), i) - ball.centre[i]; });
-    ball.radius = greater(ball.radius, length(from_centre));
+    ball.radius = maximum(ball.radius, length(from_centre));
   }
   return ball;
 }

@@ -35,6 +35,7 @@ template <Scalar T>
 struct clip_volume {
   clip_planes planes = clip_planes::all;
   T guard_x = T(1), guard_y = T(1);
+  bool operator==(const clip_volume&) const = default;
 };
 
 /// A vertex in clip space with K numbers to be interpolated.
@@ -72,12 +73,18 @@ struct clipped_polygon {
   IRG_INLINE constexpr const V& operator[](std::size_t i) const noexcept { return vertices[i]; }
   [[nodiscard]] IRG_INLINE constexpr const V* begin() const noexcept { return vertices; }
   [[nodiscard]] IRG_INLINE constexpr const V* end() const noexcept { return vertices + count; }
+  IRG_APART constexpr bool operator==(const clipped_polygon& o) const {
+    for (int i = 0; i < count && count == o.count; ++i)
+      if (!(vertices[i] == o.vertices[i])) return false;
+    return count == o.count;
+  }
 };
 
 /// What is left of a segment.
 template <ClipVertex V>
 struct clipped_segment {
   V first, second;
+  bool operator==(const clipped_segment&) const = default;
 };
 
 /// Interpolates clip vertices: everything at `t` of the way from a to b. Vertex types of your own bring a callable of

@@ -51,7 +51,7 @@ template <Point P>
   requires(size_of<P> == 2)
 [[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_cohen_sutherland(
     const P& a, const P& b, const box<scalar_of<P>, 2>& window) noexcept {
-  if (is_empty(window)) return std::nullopt;
+  if (window.empty()) return std::nullopt;
   if (detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};
   if (!is_finite(a, b)) return std::nullopt;
   const auto end_at = [&](const P& p) {

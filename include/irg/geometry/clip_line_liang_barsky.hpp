@@ -27,8 +27,8 @@ template <Point P>
 [[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_liang_barsky(
     const P& a, const P& b, const box<scalar_of<P>, size_of<P>>& window) noexcept {
   constexpr int axes = size_of<P>;
-  if (!is_empty(window) && detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};
-  if (is_empty(window) || !is_finite(a, b)) return std::nullopt;
+  if (!window.empty() && detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};
+  if (window.empty() || !is_finite(a, b)) return std::nullopt;
   detail::window_side entry, exit;
   for (int i = 0; i < axes; ++i) {
     const int from = detail::place_of(coordinate(a, i), window, i), to = detail::place_of(coordinate(b, i), window, i);

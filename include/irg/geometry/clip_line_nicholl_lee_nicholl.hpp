@@ -20,7 +20,7 @@ template <Point P>
 [[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_nicholl_lee_nicholl(
     const P& a, const P& b, const box<scalar_of<P>, 2>& window) noexcept {
   using side = detail::window_side;
-  if (is_empty(window)) return std::nullopt;
+  if (window.empty()) return std::nullopt;
   if (detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};
   if (!is_finite(a, b)) return std::nullopt;
   const int ax = detail::place_of(coordinate(a, 0), window, 0), ay = detail::place_of(coordinate(a, 1), window, 1);

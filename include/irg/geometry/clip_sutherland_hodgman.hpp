@@ -356,7 +356,7 @@ constexpr void clip_into(std::span<const V> polygon, const Region& region, const
   for (const V& v : polygon)
     if (!is_finite(position_of(v))) return;
   if constexpr (is_window_for<Region, V>) {
-    if (!is_empty(region)) clip_by_window(polygon, region, interpolate, sink);
+    if (!region.empty()) clip_by_window(polygon, region, interpolate, sink);
   } else if constexpr (convex_ring_for<Region, V>) {
     for (std::size_t i = 0; i < ring_size(region); ++i)
       if (!is_finite(ring_vertex(region, i))) return;

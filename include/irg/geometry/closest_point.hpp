@@ -21,6 +21,7 @@ template <Point P>
 struct point_on_line {
   P at = zero_coordinates<P>();
   scalar_of<P> t{};
+  IRG_APART constexpr bool operator==(const point_on_line& o) const { return same_place(at, o.at) && t == o.t; }
 };
 
 /// The part of a triangle abc that a point is nearest to.
@@ -32,6 +33,9 @@ struct point_on_triangle {
   P at = zero_coordinates<P>();
   triangle_region region = triangle_region::face;
   std::array<scalar_of<P>, 3> weights{};
+  IRG_APART constexpr bool operator==(const point_on_triangle& o) const {
+    return same_place(at, o.at) && region == o.region && weights == o.weights;
+  }
 };
 
 /// Points on two lines or segments, and their parameters there.
@@ -39,6 +43,9 @@ template <Point P>
 struct point_pair {
   P first = zero_coordinates<P>(), second = zero_coordinates<P>();
   scalar_of<P> t{}, s{};
+  IRG_APART constexpr bool operator==(const point_pair& o) const {
+    return same_place(first, o.first) && same_place(second, o.second) && t == o.t && s == o.s;
+  }
 };
 
 namespace detail::inline IRG_ABI {
@@ -133,8 +140,8 @@ template <Point P>
 /// exact   comparisons alone
 template <class T, int N>
 [[nodiscard]] constexpr point<T, N> closest_point_in_box(const box<T, N>& b, const point<T, N>& p) noexcept {
-  IRG_EXPECTS(!is_empty(b));
-  return generate_coordinates<point<T, N>>([&](int i) { return clamp(p[i], b.low[i], b.high[i]); });
+  IRG_EXPECTS(!b.empty());
+  return generate_coordinates<point<T, N>>([&](int i) { return clamped(p[i], b.low[i], b.high[i]); });
 }
 
 /// The points of two lines in space that are nearest to each other, and their parameters: one point where the lines

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <irg/core/coordinates.hpp>
-#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
 namespace irg::inline IRG_ABI {

@@ -164,9 +164,9 @@ template <Point P>
 /// exact   as distance
 template <Floating T, int N>
 [[nodiscard]] constexpr std::optional<T> distance_to_box(const box<T, N>& b, const point<T, N>& p) noexcept {
-  IRG_EXPECTS(!is_empty(b));
+  IRG_EXPECTS(!b.empty());
   if (!is_finite(b.low, b.high)) return std::nullopt;
-  return distance(p, generate_coordinates<point<T, N>>([&](int i) { return clamp(p[i], b.low[i], b.high[i]); }));
+  return distance(p, generate_coordinates<point<T, N>>([&](int i) { return clamped(p[i], b.low[i], b.high[i]); }));
 }
 
 IRG_REFUSES_VECTORS(distance);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/exact/big_float.hpp>
 #include <irg/math/exact/scaled_double_double.hpp>
 #include <irg/math/vec.hpp>
@@ -169,8 +170,8 @@ private:
   friend constexpr int orientation_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q,
                                          const basic_exact_point<W>& r) noexcept;
   template <class W>
-  friend constexpr int side_of_plane(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
-                                     const basic_exact_point<W>& p) noexcept;
+  friend constexpr side side_of_plane(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
+                                      const basic_exact_point<W>& p) noexcept;
 
   std::vector<Word> words_;
   part parts_[4]{};  // the divisor first
@@ -202,12 +203,13 @@ template <class W>
   return area.sign() * a[0].sign() * b[0].sign() * c[0].sign();
 }
 
-/// orient3d(a, b, c, p): the sign of plane_through(a, b, c) at p.
+/// The side of plane_through(a, b, c) on which p lies: orient3d(a, b, c, p).
 /// needs   finite coordinates, a point
 /// exact   always
 template <class W>
-[[nodiscard]] IRG_APART constexpr int side_of_plane(const point<double, 3>& a, const point<double, 3>& b,
-                                                    const point<double, 3>& c, const basic_exact_point<W>& p) noexcept {
+[[nodiscard]] IRG_APART constexpr side side_of_plane(const point<double, 3>& a, const point<double, 3>& b,
+                                                     const point<double, 3>& c,
+                                                     const basic_exact_point<W>& p) noexcept {
   using exact = basic_exact_point<W>;
   using number = typename exact::wide;
   const auto base = exact::template vector_of<number>(a);
@@ -217,7 +219,7 @@ template <class W>
   const auto from = [&](std::size_t i) { return at[i + 1] - base[i] * at[0]; };
   const number value = (u[1] * v[2] - u[2] * v[1]) * from(0) + (u[2] * v[0] - u[0] * v[2]) * from(1) +
                        (u[0] * v[1] - u[1] * v[0]) * from(2);
-  return value.sign() * at[0].sign();
+  return static_cast<side>(value.sign() * at[0].sign());
 }
 
 }  // namespace irg

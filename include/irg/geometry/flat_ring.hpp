@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <optional>
 
 #include <irg/core/contract.hpp>
 #include <irg/core/ring.hpp>
@@ -35,16 +36,18 @@ private:
   int axis_;
 };
 
+namespace detail {
+
+template <Scalar T>
+struct ring_areas {
+  T along[3];
+};
+
 inline namespace IRG_ABI {
 
-/// The axis (0, 1 or 2 for x, y or z) along which a polygon in space looks largest: that of the longest coordinate of
-/// its Newell normal; the later one of equal ones, z before x and y.
-/// gives   2 for a ring without area
-/// exact   in integers and rationals; in floats the normal is rounded, so that another axis may come out where two
-///         areas are nearly equal, and any for areas that are lost in rounding
-/// cost    one pass; doubles a second one, against overflow
+// Twice the areas that a ring shows along the axes, times a power of two of their own.
 template <SpaceRing R>
-[[nodiscard]] constexpr int flattening_axis(const R& ring) noexcept {
+constexpr ring_areas<ring_scalar<R>> areas_along_axes(const R& ring) noexcept {
   using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   T scale(1);  // a power of two that keeps products from overflow and underflow
@@ -54,7 +57,7 @@ template <SpaceRing R>
     for (std::size_t i = 0; i < n; ++i) {
       const auto p = ring_vertex(ring, i);
       for (int k = 0; k < 3; ++k)
-        largest = greater(largest, coordinate(p, k) < T(0) ? -coordinate(p, k) : coordinate(p, k));
+        largest = maximum(largest, coordinate(p, k) < T(0) ? -coordinate(p, k) : coordinate(p, k));
     }
     if constexpr (is_double)
       scale = largest > 0x1p450 ? 0x1p-600 : largest < 0x1p-450 ? 0x1p600 : 1.0;
@@ -72,8 +75,37 @@ template <SpaceRing R>
           area[k] + (product(from_first(i, u), from_first(i + 1, v)) - product(from_first(i, v), from_first(i + 1, u)));
     }
   for (T& a : area) a = a < T(0) ? -a : a;
-  const int x_or_y = area[0] < area[1] ? 1 : 0;
-  return area[2] < area[x_or_y] ? x_or_y : 2;
+  return {{area[0], area[1], area[2]}};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The axis (0, 1 or 2 for x, y or z) along which a polygon in space looks largest: that of the longest coordinate of
+/// its Newell normal; the lowest one of equal ones. Without this coordinate it is a ring in the plane.
+/// gives   nothing for a ring without area
+/// exact   in integers and rationals; in floats the normal is rounded, so that another axis may come out where two
+///         areas are nearly equal, and any or none for areas that are lost in rounding
+/// cost    one pass; doubles a second one, against overflow
+template <SpaceRing R>
+[[nodiscard]] constexpr std::optional<int> dropped_axis(const R& ring) noexcept {
+  using T = ring_scalar<R>;
+  const auto area = detail::areas_along_axes(ring);
+  int widest = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (area.along[widest] < area.along[axis]) widest = axis;
+  return T(0) < area.along[widest] ? std::optional(widest) : std::nullopt;
+}
+
+/// The old form of dropped_axis: z before x and y of equal ones, and z for a ring without area.
+template <SpaceRing R>
+[[nodiscard, deprecated("irg: use dropped_axis, which gives nothing for a ring without area")]] constexpr int
+flattening_axis(const R& ring) noexcept {
+  const auto area = detail::areas_along_axes(ring);
+  const int x_or_y = area.along[0] < area.along[1] ? 1 : 0;
+  return area.along[2] < area.along[x_or_y] ? x_or_y : 2;
 }
 
 }  // namespace IRG_ABI

@@ -73,7 +73,7 @@ IRG_INLINE constexpr double largest_square(const point_table<double, M, D>& t) n
   for (int i = 0; i < M; ++i) {
     double sum = t(i, 0) * t(i, 0);
     for (int k = 1; k < D; ++k) sum += t(i, k) * t(i, k);
-    largest = greater(largest, sum);
+    largest = maximum(largest, sum);
   }
   return largest;
 }

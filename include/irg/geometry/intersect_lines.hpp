@@ -24,6 +24,9 @@ struct lines_meeting {
   flat_relation relation = flat_relation::none;
   P at = zero_coordinates<P>();
   scalar_of<P> t{}, s{};
+  IRG_APART constexpr bool operator==(const lines_meeting& o) const {
+    return relation == o.relation && same_place(at, o.at) && t == o.t && s == o.s;
+  }
 };
 
 namespace detail {

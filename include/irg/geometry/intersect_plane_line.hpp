@@ -22,6 +22,9 @@ struct plane_line_meeting {
   flat_relation relation = flat_relation::none;
   P at = zero_coordinates<P>();
   scalar_of<P> t{};
+  IRG_APART constexpr bool operator==(const plane_line_meeting& o) const {
+    return relation == o.relation && same_place(at, o.at) && t == o.t;
+  }
 };
 
 /// The same with the parameters s1 and s2 of the point in the plane.
@@ -30,6 +33,7 @@ struct parametric_meeting {
   flat_relation relation = flat_relation::none;
   point<T, 3> at{};
   T s1{}, s2{}, t{};
+  bool operator==(const parametric_meeting&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -18,6 +18,7 @@ template <Scalar T>
 struct planes_meeting {
   flat_relation relation = flat_relation::none;
   parametric_line<T, 3> line{};
+  bool operator==(const planes_meeting&) const = default;
 };
 
 /// What three planes have in common: a point, a line, the plane they all are, or nothing: since two are parallel and
@@ -31,6 +32,7 @@ struct three_planes_meeting {
   three_planes_relation relation = three_planes_relation::none;
   point<T, 3> at{};
   parametric_line<T, 3> line{};
+  bool operator==(const three_planes_meeting&) const = default;
 };
 
 inline namespace IRG_ABI {

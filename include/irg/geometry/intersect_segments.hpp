@@ -22,6 +22,9 @@ struct segments_meeting {
   segment_relation relation = segment_relation::none;
   P first = zero_coordinates<P>(), last = zero_coordinates<P>();
   scalar_of<P> t{}, s{};
+  IRG_APART constexpr bool operator==(const segments_meeting& o) const {
+    return relation == o.relation && same_place(first, o.first) && same_place(last, o.last) && t == o.t && s == o.s;
+  }
 };
 
 namespace detail::inline IRG_ABI {

@@ -106,8 +106,8 @@ template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
 [[nodiscard]] constexpr std::optional<side> vertical_side_of(const line<T>& l, const P& p) noexcept {
   if (l.b == T(0)) return std::nullopt;
-  const int sign = side_of_line(l, p);
-  return static_cast<side>(l.b < T(0) ? -sign : sign);
+  const side normal_side = side_of_line(l, p);
+  return l.b < T(0) ? opposite(normal_side) : normal_side;
 }
 
 IRG_REFUSES_VECTORS(line_through);

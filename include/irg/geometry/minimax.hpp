@@ -28,14 +28,14 @@ enum class minimax_test { edge_edge, edge_polygon, edge_body, polygon_polygon, p
 /// How often a minimax test was made, and how often it showed that neither hides the other.
 struct minimax_count {
   std::int64_t tested = 0, apart = 0;
-  constexpr bool operator==(const minimax_count&) const = default;
+  bool operator==(const minimax_count&) const = default;
 };
 
 /// The work of minimax tests.
 /// shape   test[k] counts those of minimax_test k
 struct minimax_counts {
   minimax_count test[6];
-  constexpr bool operator==(const minimax_counts&) const = default;
+  bool operator==(const minimax_counts&) const = default;
 };
 
 namespace detail {

@@ -53,7 +53,7 @@ IRG_INLINE constexpr int filtered_sign(const point_table<double, 3, 2>& p, doubl
   constexpr double factor = 0x1.008p-50;
   const auto [acx, acy, bcx, bcy] = relative_to_last(p).v;
   const double area = spanned_area(acx, acy, bcx, bcy);
-  const double x = greater(magnitude(acx), magnitude(bcx)) + t, y = greater(magnitude(acy), magnitude(bcy)) + t;
+  const double x = maximum(magnitude(acx), magnitude(bcx)) + t, y = maximum(magnitude(acy), magnitude(bcy)) + t;
   return magnitude(area) > x * y * factor ? sign_of_nonzero(area) : 0;
 }
 
@@ -71,8 +71,8 @@ IRG_INLINE constexpr int compensated_sign(const point_table<double, 3, 2>& p) no
   const double left_error = left.error + (acx.value * bcy.error + acx.error * bcy.value);
   const double right_error = right.error + (acy.value * bcx.error + acy.error * bcx.value);
   const double area = (left.value - right.value) + (left_error - right_error);
-  const double x = greater(magnitude(acx.value), magnitude(bcx.value)) + t;
-  const double y = greater(magnitude(acy.value), magnitude(bcy.value)) + t;
+  const double x = maximum(magnitude(acx.value), magnitude(bcx.value)) + t;
+  const double y = maximum(magnitude(acy.value), magnitude(bcy.value)) + t;
   return magnitude(area) > x * y * factor ? sign_of_nonzero(area) : 0;
 }
 

@@ -85,7 +85,7 @@ struct line_batch_filter {
       return;
     }
     dx = x1 - x0, dy = y1 - y0;
-    const double size = greater(magnitude(dx), magnitude(dy));
+    const double size = maximum(magnitude(dx), magnitude(dy));
     if (size == 0) return;
     const double scale = power_of_two(-2 - decompose(size).exponent);
     dx *= scale, dy *= scale;

@@ -80,7 +80,7 @@ IRG_INLINE constexpr int orient3d_compensated(const point_table<double, 4, 3>& t
   const number ab = two_sum(a.value, b.value), abc = two_sum(ab.value, c.value);
   const double volume = abc.value + ((ab.error + abc.error) + ((a.error + b.error) + c.error));
   const auto size = [](const number& p, const number& q, const number& r) {
-    return greater(greater(magnitude(p.value), magnitude(q.value)), magnitude(r.value)) + least;
+    return maximum(maximum(magnitude(p.value), magnitude(q.value)), magnitude(r.value)) + least;
   };
   return magnitude(volume) > size(ax, bx, cx) * size(ay, by, cy) * size(az, bz, cz) * factor ? sign_of_nonzero(volume)
                                                                                              : 0;

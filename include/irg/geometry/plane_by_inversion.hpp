@@ -19,14 +19,11 @@ enum class [[nodiscard]] inversion_status {
   plane [[deprecated("irg: plane is now ok")]] = ok
 };
 
-/// The old name of inversion_status.
-using inversion_outcome [[deprecated("irg: inversion_status is now inversion_status")]] = inversion_status;
-
 inline namespace IRG_ABI {
 
 /// The plane (a, b, c, d) with last coefficient d through three homogeneous points: the solution of the equations with
 /// rows p1, p2, p3 and (0 0 0 1) and right side (0 0 0 d). The choice of d decides which side is the upper one.
-/// shape   value has a meaning only where the status is `plane`
+/// shape   value has a meaning only where the status is `ok`
 /// exact   the outcome for all finite points; each coefficient within 0.501 ulp, d itself. Infinity where a coefficient
 ///         is beyond the range
 /// source  Mihajlovic 2016, formula 4.3 in its consistent form

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a point lies against a convex polygon: edge by edge, in logarithmic time, and by the lecture's rules.
+// Where a point lies against a convex polygon: edge by edge where there are few, beyond in logarithmic time.
 #pragma once
 
 #include <cstddef>
@@ -9,32 +9,21 @@
 #include <irg/geometry/polygon.hpp>
 
 namespace irg {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
-/// Where p lies against a convex polygon, which may run either way round and have collinear and repeated vertices.
-/// needs   is_convex(ring)
-/// gives   the boundary for all points of a polygon without area (a point, a segment); `outside` for an empty ring and
-///         when a coordinate of p is NaN or infinite
-/// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
-/// cost    up to one turn for each edge; ends at the first two edges that see p on different sides
-/// source  Mihajlovic 2016, rules 3.3 and 3.4
+// Edge by edge; ends at the first two edges that see p on different sides.
 template <PlaneRing R>
-[[nodiscard]] constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
-  if (!is_finite(p)) return location::outside;
+constexpr location locate_by_edges(const R& ring, const ring_point<R>& p) noexcept {
   int side = 0;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const auto a = ring_vertex(ring, i), b = ring_vertex(ring, i + 1);
     const int turn = orient2d(a, b, p);
-    if (turn == 0 && detail::is_between(a, b, p)) return location::boundary;
+    if (turn == 0 && is_between(a, b, p)) return location::boundary;
     if (turn != 0 && turn == -side) return location::outside;
     if (turn != 0) side = turn;
   }
   return side == 0 ? location::outside : location::inside;
 }
-
-}  // namespace IRG_ABI
-
-namespace detail::inline IRG_ABI {
 
 // The vertices of a convex ring as seen from the first: those that stand there, too, are passed over.
 template <PlaneRing R>
@@ -49,7 +38,7 @@ public:
     if (same_place(vertex(0), p)) return location::boundary;
     if (first_ > last_) return location::outside;
     const int side = direction();
-    if (side == 0) return point_in_convex_polygon(ring_, p);
+    if (side == 0) return locate_by_edges(ring_, p);
     const int at_first = side * from_start(first_, p), at_last = side * from_start(last_, p);
     if (at_first < 0 || at_last > 0) return location::outside;
     if (at_first == 0 && same_way(first_, p)) return on_first_side(side, p);
@@ -110,21 +99,32 @@ private:
   }
 };
 
+// By a binary search among the triangles from the first vertex.
+template <PlaneRing R>
+constexpr location locate_by_fan(const R& ring, const ring_point<R>& p) noexcept {
+  return ring_size(ring) == 0 ? location::outside : convex_fan<R>(ring).locate(p);
+}
+
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
-/// point_in_convex_polygon in logarithmic time: a binary search among the triangles from the first vertex.
-/// needs   is_convex(ring), finite coordinates of the ring
-/// exact   as point_in_convex_polygon
-/// cost    about 2 + log2(n) turns, and a comparison for each vertex that stands where the first does. A polygon
-///         without area is looked at edge by edge
-/// source  Preparata and Shamos 1985
+/// Where p lies against a convex polygon, which may run either way round and have collinear and repeated vertices.
+/// needs   is_convex(ring)
+/// gives   the boundary for all points of a polygon without area (a point, a segment); `outside` for an empty ring and
+///         when a coordinate of p is NaN or infinite
+/// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
+/// cost    up to 8 vertices at most one turn for each edge; beyond, a search of about 2 + log2(n) turns, and a
+///         comparison for each vertex that stands where the first does. A polygon without area is looked at edge by
+///         edge
+/// source  Mihajlovic 2016, rules 3.3 and 3.4; Preparata and Shamos 1985 (the search)
 template <PlaneRing R>
-[[nodiscard]] constexpr location point_in_convex_polygon_log(const R& ring, const ring_point<R>& p) noexcept {
-  if (ring_size(ring) == 0 || !is_finite(p)) return location::outside;
-  return detail::convex_fan<R>(ring).locate(p);
+[[nodiscard]] constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
+  if (!is_finite(p)) return location::outside;
+  return ring_size(ring) <= 8 ? detail::locate_by_edges(ring, p) : detail::locate_by_fan(ring, p);
 }
+
+IRG_RENAMED(point_in_convex_polygon_log, point_in_convex_polygon)
 
 }  // namespace IRG_ABI
 }  // namespace irg

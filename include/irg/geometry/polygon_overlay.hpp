@@ -42,7 +42,7 @@ struct polygon_overlay_counts {
   std::uint64_t pairs = 0;  // of pieces, summed over the rounds
   std::uint64_t compared = 0;  // of these, pairs whose boxes have a point in common
   std::uint64_t crossings = 0;  // of these, pairs that cross between their ends
-  constexpr bool operator==(const polygon_overlay_counts&) const = default;
+  bool operator==(const polygon_overlay_counts&) const = default;
 };
 
 /// The rings of a polygon: outer ones counter-clockwise, holes clockwise (y up).
@@ -51,6 +51,10 @@ struct clipped_rings {
   polygon_clip_status status = polygon_clip_status::ok;
   std::vector<std::vector<point<T, 2>>> rings{};
   polygon_overlay_counts counts{};
+
+  /// Whether the rings are what was asked for.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == polygon_clip_status::ok; }
+  bool operator==(const clipped_rings&) const = default;
 };
 
 namespace detail {
@@ -112,7 +116,7 @@ template <class T>
 constexpr point<T, 2> rounded_crossing(const boundary_piece<T>& a, const boundary_piece<T>& b) noexcept {
   point<T, 2> at = intersect_lines(a.p, a.q, b.p, b.q).at;
   for (int i = 0; i < 2; ++i)
-    for (const auto* s : {&a, &b}) at[i] = clamp(at[i], lesser(s->p[i], s->q[i]), greater(s->p[i], s->q[i]));
+    for (const auto* s : {&a, &b}) at[i] = clamped(at[i], minimum(s->p[i], s->q[i]), maximum(s->p[i], s->q[i]));
   return at;
 }
 
@@ -155,7 +159,7 @@ constexpr bool cut_pieces(std::vector<boundary_piece<T>>& pieces, T tolerance, p
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t k = i + 1; k < pieces.size() && !(pieces[i].q.x < pieces[k].p.x); ++k) {
       const auto &a = pieces[i], &b = pieces[k];
-      if (lesser(a.p.y, a.q.y) > greater(b.p.y, b.q.y) || lesser(b.p.y, b.q.y) > greater(a.p.y, a.q.y)) continue;
+      if (minimum(a.p.y, a.q.y) > maximum(b.p.y, b.q.y) || minimum(b.p.y, b.q.y) > maximum(a.p.y, a.q.y)) continue;
       ++compared;
       crossings += cut_pair(a, b, tolerance, cuts[i], cuts[k]) ? 1u : 0u;
     }
@@ -302,7 +306,7 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
   // bent edges cross anew; from the fourth round on they bend to what is an ulp of the largest coordinate away.
   T largest(0);
   for (const auto& s : pieces)
-    for (int i = 0; i < 2; ++i) largest = greater(largest, greater(magnitude(s.p[i]), magnitude(s.q[i])));
+    for (int i = 0; i < 2; ++i) largest = maximum(largest, maximum(magnitude(s.p[i]), magnitude(s.q[i])));
   const T ulp = product(largest, std::numeric_limits<T>::epsilon());
   const bool may_bend = largest < (std::numeric_limits<T>::max)() / 4;
   const std::size_t most = 1000 + pieces.size() * pieces.size();

@@ -190,8 +190,8 @@ template <PlaneRing A, PlaneRing B>
   if (orientation_of(a) == orientation::degenerate || orientation_of(b) == orientation::degenerate)
     return polygon_overlap::separate;
   const auto apart = [](const auto& p, const auto& q, const auto& r, const auto& s, int k) {
-    const auto low = [&](const auto& u, const auto& v) { return lesser(coordinate(u, k), coordinate(v, k)); };
-    const auto high = [&](const auto& u, const auto& v) { return greater(coordinate(u, k), coordinate(v, k)); };
+    const auto low = [&](const auto& u, const auto& v) { return minimum(coordinate(u, k), coordinate(v, k)); };
+    const auto high = [&](const auto& u, const auto& v) { return maximum(coordinate(u, k), coordinate(v, k)); };
     return high(p, q) < low(r, s) || high(r, s) < low(p, q);
   };
   bool touching = false;

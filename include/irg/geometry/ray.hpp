@@ -19,7 +19,23 @@ struct ray {
   point<T, N> origin{};
   vec<T, N> direction{};
   T low = T(0), high = std::numeric_limits<T>::infinity();
-  constexpr bool operator==(const ray&) const = default;
+
+  /// Whether the ray has no points.
+  // From the bits of all numbers at once: comparisons with branches would cost more than a ray's way through a tree.
+  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept {
+    using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    constexpr bits exponent = std::bit_cast<bits>(std::numeric_limits<T>::infinity());
+    constexpr bits one = exponent & ~(exponent << 1), sign = ~(~bits{0} >> 1);
+    bits beyond = 0, moves = 0;
+    for (int i = 0; i < N; ++i) {
+      const auto o = std::bit_cast<bits>(origin[i]), d = std::bit_cast<bits>(direction[i]);
+      beyond |= ((o & exponent) + one) | ((d & exponent) + one);
+      moves |= d & ~sign;
+    }
+    const bool in_order = low <= (std::numeric_limits<T>::max)() && maximum(low, T(0)) <= high;
+    return (beyond & sign) != 0 || moves == 0 || !in_order;
+  }
+  bool operator==(const ray&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -36,23 +52,6 @@ template <Floating T, int N>
 template <Floating T, int N>
 [[nodiscard]] constexpr point<T, N> point_at(const ray<T, N>& r, std::type_identity_t<T> t) noexcept {
   return r.origin + r.direction * t;
-}
-
-/// Whether the ray has points.
-// Told from the bits of all numbers at once: comparisons with branches would cost more than a ray's way through a tree.
-template <Floating T, int N>
-[[nodiscard]] IRG_INLINE constexpr bool is_empty(const ray<T, N>& r) noexcept {
-  using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-  constexpr bits exponent = std::bit_cast<bits>(std::numeric_limits<T>::infinity());
-  constexpr bits one = exponent & ~(exponent << 1), sign = ~(~bits{0} >> 1);
-  bits beyond = 0, moves = 0;
-  for (int i = 0; i < N; ++i) {
-    const auto origin = std::bit_cast<bits>(r.origin[i]), direction = std::bit_cast<bits>(r.direction[i]);
-    beyond |= ((origin & exponent) + one) | ((direction & exponent) + one);
-    moves |= direction & ~sign;
-  }
-  const bool in_order = r.low <= (std::numeric_limits<T>::max)() && greater(r.low, T(0)) <= r.high;
-  return (beyond & sign) != 0 || moves == 0 || !in_order;
 }
 
 }  // namespace IRG_ABI

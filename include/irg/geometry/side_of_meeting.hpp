@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 
@@ -27,18 +28,18 @@ template <class N, class T, class F>
   return plane_points<input>{in_numbers<N>(p.a, number), in_numbers<N>(p.b, number), in_numbers<N>(p.c, number)};
 }
 
-/// On which side of `of` the point lies in which three planes meet: 1 in front, -1 behind, 0 on it.
+/// On which side of `of` the point lies in which three planes meet: above in front of it, below behind.
 /// needs   finite coordinates
-/// gives   nothing when the three do not meet in one point, 0 when the points of `of` lie on a line
+/// gives   nothing when the three do not meet in one point, `on` when the points of `of` lie on a line
 /// exact   for every finite float and double, of any magnitudes
 /// cost    some 0.3 us; where the point is nearly on the plane, a polynomial of degree 9 in exact numbers
 template <Floating T>
-[[nodiscard]] constexpr std::optional<int> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
-                                                           const plane_points<T>& third,
-                                                           const plane_points<T>& of) noexcept {
+[[nodiscard]] constexpr std::optional<side> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
+                                                            const plane_points<T>& third,
+                                                            const plane_points<T>& of) noexcept {
   // In shares of the corners of the first plane, which sum up to 1, every other plane is a linear equation whose
   // coefficients are the corners' distances from it; so the point is the cross product of two of these.
-  const auto [apart, side] = sign_of<9>(
+  const auto [apart, beside] = sign_of<9>(
       [](const auto& corners, const auto& p, const auto& q, const auto& r) {
         const auto distances = [&](const auto& plane) {
           const auto n = cross(plane.b - plane.a, plane.c - plane.a);
@@ -48,7 +49,7 @@ template <Floating T>
         return std::array{shares.x + shares.y + shares.z, dot(distances(r), shares)};
       },
       first, second, third, of);
-  return apart == 0 ? std::nullopt : std::optional(apart * side);
+  return apart == 0 ? std::nullopt : std::optional(static_cast<side>(apart * beside));
 }
 
 }  // namespace IRG_ABI

@@ -72,14 +72,14 @@ constexpr rounded_volume rounded_face_volume(std::size_t count, const Position& 
   vec<double, 3> normal, before, towards;
   for (std::size_t k = 1; k < count; ++k) {
     const vec<double, 3> after = position(k) - first;
-    widest = greater(widest, greater(magnitude(after.x), greater(magnitude(after.y), magnitude(after.z))));
+    widest = maximum(widest, maximum(magnitude(after.x), maximum(magnitude(after.y), magnitude(after.z))));
     normal += cross(before, after);
     before = after;
   }
   for (int i = 0; i < 3; ++i) {
     const double moved = product(eye.w, first[i]);
     towards[i] = eye[i] - moved;
-    farthest = greater(farthest, magnitude(eye[i]) + magnitude(moved));
+    farthest = maximum(farthest, magnitude(eye[i]) + magnitude(moved));
   }
   constexpr double least = 0x1p-200, most = 0x1p200;
   if (!(widest >= least && widest <= most && farthest >= least && farthest <= most)) return {0, undecided};

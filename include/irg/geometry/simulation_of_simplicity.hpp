@@ -33,7 +33,7 @@
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
-#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact/big_float.hpp>
 #include <irg/math/vec.hpp>
 
@@ -44,6 +44,9 @@ template <Point P>
 struct numbered_point {
   P point;
   std::int64_t number;
+  IRG_APART constexpr bool operator==(const numbered_point& o) const {
+    return same_place(point, o.point) && number == o.number;
+  }
 };
 template <Point P>
 numbered_point(const P&, std::int64_t) -> numbered_point<P>;

@@ -88,7 +88,7 @@ constexpr close_ball<size_of<P>> close_ball_on(const P& a, const More&... more) 
   for (int i = 0; i < N; ++i) ball.from[i] = widened(coordinate(a, i));
   double size = 0;
   const auto look = [&](const vec<double_double, N>& way) {
-    for (int i = 0; i < N; ++i) size = greater(size, magnitude(way[i].high));
+    for (int i = 0; i < N; ++i) size = maximum(size, magnitude(way[i].high));
   };
   (look(ball.way_to(more)), ...);
   if (!(size > 0x1p-60) || !(size < 0x1p60)) return ball;
@@ -99,7 +99,7 @@ constexpr close_ball<size_of<P>> close_ball_on(const P& a, const More&... more) 
   for (int i = 0; i < degree; ++i) ball.divisor_off = product(ball.divisor_off, size);
   ball.offset_off = product(ball.divisor_off, size);
   ball.divisor_size = magnitude(ball.divisor.high);
-  for (int i = 0; i < N; ++i) ball.offset_size = greater(ball.offset_size, magnitude(ball.offset[i].high));
+  for (int i = 0; i < N; ++i) ball.offset_size = maximum(ball.offset_size, magnitude(ball.offset[i].high));
   return ball;
 }
 
@@ -183,7 +183,7 @@ constexpr guessed_side guess_side(const bounding_sphere<T, N>& ball, const P& p)
   double squared = 0, reach = radius;
   for (int i = 0; i < N; ++i) {
     const double c = widened(ball.centre[i]), x = widened(coordinate(p, i));
-    reach = greater(reach, greater(magnitude(c), magnitude(x)));
+    reach = maximum(reach, maximum(magnitude(c), magnitude(x)));
     if (!(reach < 0x1p400)) return {0, 0};
     squared = squared + product(x - c, x - c);
   }
@@ -198,7 +198,7 @@ constexpr guessed_side close_side(const close_ball<N>& ball, const P& p) noexcep
   if (ball.offset_off == 0) return {};
   const vec<double_double, N> way = ball.way_to(p);
   double size = 0;
-  for (int i = 0; i < N; ++i) size = greater(size, magnitude(way[i].high));
+  for (int i = 0; i < N; ++i) size = maximum(size, magnitude(way[i].high));
   if (!(size < 0x1p60)) return {};
   const double_double gap = dot(way, way) * ball.divisor - dot(way, ball.offset);
   const double error = 3.1 * (product(product(size, size), ball.divisor_off + ball.divisor_size * 0x1p-98) +

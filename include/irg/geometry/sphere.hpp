@@ -176,7 +176,7 @@ template <Floating T, int N>
 template <Floating T, int N>
 [[nodiscard]] constexpr bool overlap(const bounding_sphere<T, N>& s, const box<T, N>& b,
                                      box_boundary boundary) noexcept {
-  if (!(s.radius >= T(0)) || is_empty(b)) return false;
+  if (!(s.radius >= T(0)) || b.empty()) return false;
   const auto nearest = generate_coordinates<point<T, N>>([&](int i) {
     return s.centre[i] < b.low[i] ? b.low[i] : b.high[i] < s.centre[i] ? b.high[i] : s.centre[i];
   });

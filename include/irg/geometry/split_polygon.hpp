@@ -35,6 +35,7 @@ template <PolygonVertex V>
 struct split_parts {
   split_side side = split_side::on;
   std::vector<std::vector<V>> front, back;
+  bool operator==(const split_parts&) const = default;
 };
 
 /// The vertices of a polygon in a container with size() and [].
@@ -113,7 +114,7 @@ public:
         flat_.push_back({coordinate(flat[i], 0), coordinate(flat[i], 1)});
     };
     if constexpr (D == 3)
-      flatten(flat_ring<ring_of_positions<R, vertex_position<V>>>(positions, flattening_axis(positions)));
+      flatten(flat_ring<ring_of_positions<R, vertex_position<V>>>(positions, dropped_axis(positions).value_or(2)));
     else
       flatten(positions);
     orientation_ = shoelace_sign(flat_);

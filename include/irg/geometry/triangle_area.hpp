@@ -130,8 +130,8 @@ template <Point P>
 
 template <Floating T>
 [[nodiscard]] constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
-  double x = widened(greater(a, greater(b, c))), z = widened(lesser(a, lesser(b, c)));
-  double y = widened(greater(lesser(a, b), lesser(greater(a, b), c)));
+  double x = widened(maximum(a, maximum(b, c))), z = widened(minimum(a, minimum(b, c)));
+  double y = widened(maximum(minimum(a, b), minimum(maximum(a, b), c)));
   if (!(a >= 0 && b >= 0 && c >= 0) || !is_finite(x)) return std::nullopt;
   const bool is_small = x < 0x1p-900;
   if (is_small) {

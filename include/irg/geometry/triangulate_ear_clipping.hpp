@@ -19,6 +19,7 @@ struct ear_clipping_options {
   /// How many vertex-in-triangle tests a ring may take, times its vertices, before the rest of it becomes a fan. Bounds
   /// the time that hostile rings can take; ordinary rings of 10^5 vertices need a few dozen.
   std::size_t tests_per_vertex = 1024;
+  bool operator==(const ear_clipping_options&) const = default;
 };
 
 /// What triangulate_ear_clipping works in, to be used again for the next ring.
@@ -165,8 +166,8 @@ private:
   constexpr bool is_ear(std::uint32_t tip) noexcept {
     const std::uint32_t before = m_->previous[tip], after = m_->next[tip];
     const point<T, 2>&a = at(before), &b = at(tip), &c = at(after);
-    const T x_low = lesser(lesser(a.x, b.x), c.x), x_high = greater(greater(a.x, b.x), c.x);
-    const T y_low = lesser(lesser(a.y, b.y), c.y), y_high = greater(greater(a.y, b.y), c.y);
+    const T x_low = minimum(minimum(a.x, b.x), c.x), x_high = maximum(maximum(a.x, b.x), c.x);
+    const T y_low = minimum(minimum(a.y, b.y), c.y), y_high = maximum(maximum(a.y, b.y), c.y);
     auto r = std::lower_bound(m_->reflex_by_x.begin(), m_->reflex_by_x.end(), x_low,
                               [&](std::uint32_t i, const T& x) { return at(i).x < x; });
     for (; r != m_->reflex_by_x.end() && !(x_high < at(*r).x); ++r) {

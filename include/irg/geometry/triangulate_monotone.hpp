@@ -27,14 +27,14 @@ enum class [[nodiscard]] triangulation_status {
   complete [[deprecated("irg: complete is now ok")]] = ok
 };
 
-/// The old name of triangulation_status.
-using triangulation_state [[deprecated("irg: triangulation_status is now triangulation_status")]] =
-    triangulation_status;
-
 /// Triangles as indices of vertices; no triangle unless the status is `ok`.
 struct triangulation {
   triangulation_status status = triangulation_status::ok;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  /// Whether the triangles make up the polygon.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == triangulation_status::ok; }
+  bool operator==(const triangulation&) const = default;
 };
 
 inline namespace IRG_ABI {

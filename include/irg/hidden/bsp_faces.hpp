@@ -29,7 +29,7 @@ struct bsp_counts {
   std::int64_t faces = 0, pieces = 0;  // pieces: nodes, of which faces that were split have several
   std::int64_t depth = 0;
   std::int64_t asked = 0;  // parts that were asked, one by one, on which side of a plane they lie
-  constexpr bool operator==(const bsp_counts&) const = default;
+  bool operator==(const bsp_counts&) const = default;
 };
 
 /// The faces of a window as a tree, in space as the screen sees it.
@@ -98,8 +98,8 @@ constexpr pixel_hull hull_of_face(const screen_face& f, const cell_window& w) {
 
 constexpr cell_window window_of(const pixel_hull& h) noexcept {
   cell_window w{h.left[0].x, h.left[0].y, h.right[0].x + 1, h.left.back().y + 1};
-  for (const cell& c : h.left) w.x_first = lesser(w.x_first, c.x);
-  for (const cell& c : h.right) w.x_last = greater(w.x_last, c.x + 1);
+  for (const cell& c : h.left) w.x_first = minimum(w.x_first, c.x);
+  for (const cell& c : h.right) w.x_last = maximum(w.x_last, c.x + 1);
   return w;
 }
 
@@ -221,7 +221,7 @@ using bsp_face_cells = bsp_open_cells<bsp_open_part, 3>;
 
 // Parts that a subtree is made of, and where it is hung.
 struct bsp_task {
-  std::uint32_t cell = bsp_none;
+  std::uint32_t cell = no_index;
   std::int32_t parent = -1;
   face_part side = face_part::nearer;
   std::int64_t depth = 0;
@@ -246,7 +246,7 @@ struct bsp_face_state {
   double stretch = 1;
   std::vector<bsp_of_faces::node> unseen{};
   bsp_face_cells cells{}, known{};
-  std::uint32_t faces = bsp_none;  // all of them, in known, once ties were met
+  std::uint32_t faces = no_index;  // all of them, in known, once ties were met
   std::vector<bsp_task> left{};
 };
 
@@ -255,10 +255,10 @@ constexpr double stretch_of(const std::vector<screen_face>& faces, const cell_wi
   double stretch = 1;
   float low = 0.0f, high = 0.0f;
   for (const screen_face& f : faces) {
-    low = lesser(low, f.depth_low);
-    high = greater(high, f.depth_high);
+    low = minimum(low, f.depth_low);
+    high = maximum(high, f.depth_high);
   }
-  const double wide = greater(window.x_last - window.x_first, window.y_last - window.y_first);
+  const double wide = maximum(window.x_last - window.x_first, window.y_last - window.y_first);
   const double deep = widened(high) - widened(low);
   while (deep > 0 && deep * stretch < wide) stretch *= 2;
   while (deep * stretch > 2 * wide && stretch > 0x1p-200) stretch *= 0.5;
@@ -293,7 +293,7 @@ constexpr void open_root(bsp_face_state<Order>& s, const cell_window& window) {
     else
       all.push_back(entry_of_part(s, std::move(node), pixels, static_cast<std::uint32_t>(&f - s.tree.faces.data())));
   }
-  if (const std::uint32_t cell = s.cells.make_cell(std::move(all)); cell != bsp_none) s.left.push_back({cell});
+  if (const std::uint32_t cell = s.cells.make_cell(std::move(all)); cell != no_index) s.left.push_back({cell});
 }
 
 // How the parts of a cell lie to a plane, or some of them where many lie near it.
@@ -305,7 +305,7 @@ constexpr bsp_sides sides_of_plane(const bsp_face_state<Order>& s, std::uint32_t
     const window_order order = order_of_part<Order>(p, plane);
     ++(order == window_order::nearer ? sides.front : order == window_order::farther ? sides.back : sides.cut);
   };
-  const std::size_t n = s.cells.size(cell), asked = lesser(bsp_sample, n);
+  const std::size_t n = s.cells.size(cell), asked = minimum(bsp_sample, n);
   const linear_form<3> form = plane_form<Order>(plane, s.stretch);
   const auto side_of = [&](const bsp_bounds<3>& b) { return rounded_side_of(b, form); };
   bsp_sides sides = s.cells.count_sides(cell, side_of, count, bsp_looks);
@@ -320,7 +320,7 @@ constexpr bsp_sides sides_of_plane(const bsp_face_state<Order>& s, std::uint32_t
 // The face whose plane cuts few and leaves as many before it as behind; more are tried while each cuts some.
 template <DepthOrder Order>
 constexpr const screen_face& best_face_plane(const bsp_face_state<Order>& s, std::uint32_t cell) {
-  const std::size_t n = s.cells.size(cell), tried = lesser(bsp_candidates, n), most = lesser(4 * bsp_candidates, n);
+  const std::size_t n = s.cells.size(cell), tried = minimum(bsp_candidates, n), most = minimum(4 * bsp_candidates, n);
   const screen_face* best = nullptr;
   std::size_t least = 0, least_cut = 0;
   for (std::size_t c = 0; c < most && (c < tried || least_cut > 0); ++c) {
@@ -328,7 +328,7 @@ constexpr const screen_face& best_face_plane(const bsp_face_state<Order>& s, std
     const std::size_t k = c < tried ? c * n / tried + n / (2 * tried) : c * n / most;
     const screen_face& plane = *s.cells.at(cell, k).node.part.face;
     const bsp_sides sides = sides_of_plane(s, cell, plane);
-    const std::size_t cost = 8 * sides.cut + greater(sides.front, sides.back) - lesser(sides.front, sides.back);
+    const std::size_t cost = 8 * sides.cut + maximum(sides.front, sides.back) - minimum(sides.front, sides.back);
     if (best != nullptr && cost >= least) continue;
     least = cost;
     least_cut = sides.cut;
@@ -357,7 +357,7 @@ constexpr window_order order_without_ties(bsp_face_state<Order>& s, const bsp_op
   const screen_face& f = *p.node.part.face;
   const pixels_in_plane ties = find_pixels_in_plane<Order>(p.pixels, f, plane);
   if (ties.others == window_order::crossing) return window_order::crossing;
-  if (s.faces == bsp_none) {
+  if (s.faces == no_index) {
     std::vector<bsp_face_cells::entry> all;
     for (const screen_face& g : s.tree.faces)
       all.push_back(
@@ -388,7 +388,7 @@ constexpr void part_by_plane(bsp_face_state<Order>& s, const bsp_task& task) {
     (task.side == face_part::nearer ? parent.nearer : parent.farther) = id;
   }
   s.tree.nodes.push_back({});
-  s.tree.counts.depth = greater(s.tree.counts.depth, task.depth + 1);
+  s.tree.counts.depth = maximum(s.tree.counts.depth, task.depth + 1);
   const linear_form<3> form = plane_form<Order>(plane, s.stretch);
   const auto side_of = [&](const bsp_bounds<3>& b) { return rounded_side_of(b, form); };
   const bsp_halves halves =
@@ -412,8 +412,8 @@ constexpr void part_by_plane(bsp_face_state<Order>& s, const bsp_task& task) {
         else
           farther(std::move(e));
       });
-  if (halves.front != bsp_none) s.left.push_back({halves.front, id, face_part::nearer, task.depth + 1});
-  if (halves.back != bsp_none) s.left.push_back({halves.back, id, face_part::farther, task.depth + 1});
+  if (halves.front != no_index) s.left.push_back({halves.front, id, face_part::nearer, task.depth + 1});
+  if (halves.back != no_index) s.left.push_back({halves.back, id, face_part::farther, task.depth + 1});
 }
 
 // Faces without pixels have no side: they become a balanced tree of their own, below the last node on the way farther.
@@ -437,7 +437,7 @@ constexpr void hang_unseen(bsp_face_state<Order>& s) {
   }
   if (!s.unseen.empty())
     s.tree.counts.depth =
-        greater(s.tree.counts.depth, depth + static_cast<std::int64_t>(std::bit_width(s.unseen.size())) - 1);
+        maximum(s.tree.counts.depth, depth + static_cast<std::int64_t>(std::bit_width(s.unseen.size())) - 1);
 }
 
 }  // namespace detail::inline IRG_ABI

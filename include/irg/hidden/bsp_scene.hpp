@@ -104,9 +104,9 @@ private:
       const double y = s.y + 0.5;
       for (int i = s.x_first; i < s.x_last; ++i) {
         bool within = true;
-        if (limits != bsp_none) {
+        if (limits != no_index) {
           const double x = i + 0.5, z = depth_of(f, x, y);
-          for (std::uint32_t l = limits; within && l != bsp_none; l = d.limits[l].next) {
+          for (std::uint32_t l = limits; within && l != no_index; l = d.limits[l].next) {
             const detail::plane_on_screen& p = of_node_[d.limits[l].node];
             within = (p.at(x, y) + product(p.depth, z) > 0) == (d.limits[l].side > 0);
           }
@@ -201,7 +201,7 @@ IRG_APART constexpr void bsp_scene_painter<T>::put_planes_on_screen(const mat<T,
       p = d.nodes[l.node].plane.axis == bsp_plane_3d::of_triangle ? put_triangle(d.nodes[l.node].plane.source)
                                                                   : put_axis(d.nodes[l.node].plane);
   for (const bsp_piece_3d& p : d.pieces)
-    if (p.limits != bsp_none) of_triangle_[p.triangle] = put_triangle(p.triangle);
+    if (p.limits != no_index) of_triangle_[p.triangle] = put_triangle(p.triangle);
 }
 
 }  // namespace irg

@@ -36,6 +36,7 @@ struct hidden_surfaces_by {
       default: return ray_casting<>{}(faces, window, ids, counts);
     }
   }
+  bool operator==(const hidden_surfaces_by&) const = default;
 };
 
 }  // namespace irg

@@ -26,6 +26,7 @@ template <Floating T>
 struct cube_options {
   int size = 1024;
   T near_distance = T(1) / T(1024);
+  bool operator==(const cube_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -22,7 +22,7 @@ enum class horizon_side { upper, lower };
 struct horizon_column {
   int lower = 0, upper = 0;
   bool is_set = false;
-  constexpr bool operator==(const horizon_column&) const = default;
+  bool operator==(const horizon_column&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -28,6 +28,7 @@ struct grid_facet {
 struct grid_covering {
   int n = 0, m = 0, k = 0, l = 0;
   int first_i = 1, last_i = 0, first_j = 1, last_j = 0;
+  bool operator==(const grid_covering&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -58,8 +59,8 @@ template <class Places>
   grid_covering c;
   c.n = static_cast<int>(xs.size()) - 1, c.m = static_cast<int>(zs.size()) - 1;
   c.k = grid_interval(xs, x), c.l = grid_interval(zs, z);
-  c.first_i = greater(1, c.k), c.last_i = lesser(c.n, c.k - 1);
-  c.first_j = greater(1, c.l), c.last_j = lesser(c.m, c.l - 1);
+  c.first_i = maximum(1, c.k), c.last_i = minimum(c.n, c.k - 1);
+  c.first_j = maximum(1, c.l), c.last_j = minimum(c.m, c.l - 1);
   return c;
 }
 

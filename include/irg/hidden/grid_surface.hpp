@@ -29,6 +29,7 @@ struct grid_surface {
 struct grid_edge_part {
   int i1 = 0, j1 = 0, i2 = 0, j2 = 0;
   double from = 0, to = 1;
+  bool operator==(const grid_edge_part&) const = default;
 };
 
 /// What a surface and an eye amount to. `not_a_grid`: fewer than two places each way, places that do not rise, numbers
@@ -47,6 +48,7 @@ struct grid_surface_counts {
   std::int64_t hidden = 0;  // edges of which nothing is seen
   std::int64_t steps = 0;  // from piece to piece of the perimeters
   std::int64_t pieces = 0;  // of the perimeters, at the end
+  bool operator==(const grid_surface_counts&) const = default;
 };
 
 inline namespace IRG_ABI {

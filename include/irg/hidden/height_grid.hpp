@@ -20,12 +20,14 @@ struct height_grid {
   [[nodiscard]] IRG_APART constexpr grid_surface surface() const noexcept {
     return {{x.data(), x.size()}, {z.data(), z.size()}, {heights.data(), heights.size()}};
   }
+  bool operator==(const height_grid&) const = default;
 };
 
 /// Where samples are taken: `count` even steps from `from` to `to`, both included.
 struct sample_range {
   double from = 0, to = 1;
   int count = 2;
+  bool operator==(const sample_range&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

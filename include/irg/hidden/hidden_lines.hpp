@@ -24,6 +24,7 @@ namespace irg {
 /// An edge on the screen, between two vertices.
 struct screen_edge {
   screen_vertex v[2];
+  bool operator==(const screen_edge&) const = default;
 };
 
 /// Which faces are tried for an edge: those near it that may be nearer than it, or every one.
@@ -36,6 +37,7 @@ struct hidden_line_counts {
   std::int64_t tried = 0;  // pairs of an edge and a face whose boxes meet and whose depths do not part them
   std::int64_t hiding = 0;  // pairs where the face hides something
   std::int64_t visible = 0, hidden = 0;  // parts
+  bool operator==(const hidden_line_counts&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -97,7 +99,7 @@ constexpr std::optional<hidden_interval> interval_hidden_by(const Face& f, const
   for (int i = 0; i < 3; ++i) {
     at_start[i] = side_at(f, i, e.p[0]);
     at_end[i] = side_at(f, i, e.p[1]);
-    if (lesser(at_start[i], at_end[i]) < 0 && greater(at_start[i], at_end[i]) <= 0) return std::nullopt;
+    if (minimum(at_start[i], at_end[i]) < 0 && maximum(at_start[i], at_end[i]) <= 0) return std::nullopt;
   }
   for (int i = 0; i < 3; ++i)
     if (at_start[i] < 0)
@@ -155,7 +157,7 @@ private:
 // The box of something on the screen, and the depth of its nearest point.
 struct screen_box {
   std::int32_t left, top, right, bottom;
-  constexpr bool operator==(const screen_box&) const = default;
+  bool operator==(const screen_box&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -164,7 +166,7 @@ template <std::size_t N>
 constexpr screen_box box_of(const subpixel (&p)[N]) noexcept {
   screen_box b{p[0].x, p[0].y, p[0].x, p[0].y};
   for (std::size_t i = 1; i < N; ++i)
-    b = {lesser(b.left, p[i].x), lesser(b.top, p[i].y), greater(b.right, p[i].x), greater(b.bottom, p[i].y)};
+    b = {minimum(b.left, p[i].x), minimum(b.top, p[i].y), maximum(b.right, p[i].x), maximum(b.bottom, p[i].y)};
   return b;
 }
 IRG_INLINE constexpr bool boxes_meet(const screen_box& a, const screen_box& b) noexcept {
@@ -204,7 +206,7 @@ template <int Sense, class Faces>
 class IRG_APART face_grids {
 public:
   // Without grids yet: for `face` alone.
-  constexpr explicit face_grids(const Faces& faces) : faces_(faces), place_(faces.size(), no_face) {
+  constexpr explicit face_grids(const Faces& faces) : faces_(faces), place_(faces.size(), no_index) {
     converted_.reserve(faces.size());  // references to faces last
     nearest_.reserve(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -237,7 +239,7 @@ public:
   constexpr float nearest(std::uint32_t face) const noexcept { return nearest_[face]; }
   // A face as the crossings need it. Those once asked for stay where they are.
   constexpr const hiding_face& face(std::uint32_t i) {
-    if (place_[i] == no_face) {
+    if (place_[i] == no_index) {
       place_[i] = static_cast<std::uint32_t>(converted_.size());
       converted_.push_back(hiding_face_of<Sense>(faces_[i]));
     }
@@ -271,9 +273,9 @@ private:
     whole_ = boxes[0];
     double extent = 0;
     for (const screen_box& b : boxes) {
-      whole_ = {lesser(whole_.left, b.left), lesser(whole_.top, b.top), greater(whole_.right, b.right),
-                greater(whole_.bottom, b.bottom)};
-      extent += static_cast<double>(greater(std::int64_t{b.right} - b.left, std::int64_t{b.bottom} - b.top));
+      whole_ = {minimum(whole_.left, b.left), minimum(whole_.top, b.top), maximum(whole_.right, b.right),
+                maximum(whole_.bottom, b.bottom)};
+      extent += static_cast<double>(maximum(std::int64_t{b.right} - b.left, std::int64_t{b.bottom} - b.top));
     }
     const double mean = extent / static_cast<double>(boxes.size());
     const auto most = 4 * static_cast<std::int64_t>(boxes.size()) + 64;
@@ -293,9 +295,9 @@ private:
     const auto nearness = [](float depth) { return Sense > 0 ? depth : -depth; };
     const hidden_edge e{{edge.v[0].position, edge.v[1].position},
                         {nearness(edge.v[0].depth), nearness(edge.v[1].depth)}};
-    const float depth = lesser(e.depth[0], e.depth[1]);
+    const float depth = minimum(e.depth[0], e.depth[1]);
     walk_cells(e, [&](grid& g, std::size_t cell) {
-      g.farthest[cell] = lesser(g.farthest[cell], depth);
+      g.farthest[cell] = minimum(g.farthest[cell], depth);
       return false;
     });
   }
@@ -363,8 +365,8 @@ private:
     const screen_box b = box_of(e.p);
     if (dy == 0) return {b.left, b.right};
     const auto at = [&](std::int64_t y) { return ax + dx * (y - ay) / dy; };  // within 1
-    const std::int64_t p = at(greater(y0, std::int64_t{b.top})), q = at(lesser(y1, std::int64_t{b.bottom}));
-    return {lesser(p, q) - 1, greater(p, q) + 1};
+    const std::int64_t p = at(maximum(y0, std::int64_t{b.top})), q = at(minimum(y1, std::int64_t{b.bottom}));
+    return {minimum(p, q) - 1, maximum(p, q) + 1};
   }
 
   // Calls visit(grid, cell) for the cells that an edge may meet, the largest first, until it returns true.
@@ -377,12 +379,12 @@ private:
   }
   template <class Visit>
   constexpr bool walk_grid(grid& g, const hidden_edge& e, const screen_box& b, const Visit& visit) {
-    const std::int64_t last_row = row(lesser(b.bottom, whole_.bottom), g.shift);
-    for (std::int64_t y = row(greater(b.top, whole_.top), g.shift); y <= last_row; ++y) {
+    const std::int64_t last_row = row(minimum(b.bottom, whole_.bottom), g.shift);
+    for (std::int64_t y = row(maximum(b.top, whole_.top), g.shift); y <= last_row; ++y) {
       const std::int64_t above = whole_.top + (y << g.shift);
       const x_range x = between(e, above, above + (std::int64_t{1} << g.shift));
-      const std::int64_t first = column(greater(x.first, std::int64_t{whole_.left}), g.shift);
-      const std::int64_t last = column(lesser(x.last, std::int64_t{whole_.right}), g.shift);
+      const std::int64_t first = column(maximum(x.first, std::int64_t{whole_.left}), g.shift);
+      const std::int64_t last = column(minimum(x.last, std::int64_t{whole_.right}), g.shift);
       for (std::int64_t c = first; c <= last; ++c)
         if (visit(g, static_cast<std::size_t>(y * g.columns + c))) return true;
     }
@@ -457,10 +459,10 @@ public:
 private:
   constexpr void find_nearby(const hidden_edge& e, hidden_line_counts& counts) {
     const screen_box box = box_of(e.p);
-    const float farthest = lesser(e.depth[0], e.depth[1]);
+    const float farthest = minimum(e.depth[0], e.depth[1]);
     // The face that hid all that was left of an edge before may well hide all of this one.
     for (std::uint32_t& face : finishers_) {
-      if (face == no_face || !(faces_.nearest(face) > farthest)) continue;
+      if (face == no_index || !(faces_.nearest(face) > farthest)) continue;
       try_face(face, e, counts);
       if (!hidden_.is_whole()) continue;
       const std::uint32_t first = finishers_[0];
@@ -492,7 +494,7 @@ private:
   face_grids<Sense, Faces> faces_;
   std::vector<std::uint32_t> last_tried_by_;
   interval_union<hidden_interval> hidden_{};
-  std::uint32_t finishers_[4] = {no_face, no_face, no_face, no_face};
+  std::uint32_t finishers_[4] = {no_index, no_index, no_index, no_index};
   std::uint32_t edges_ = 0;
   face_search search_;
 };

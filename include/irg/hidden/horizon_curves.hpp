@@ -18,6 +18,7 @@ namespace irg {
 struct horizon_curve_points {
   std::vector<point<double, 2>> points{};
   std::vector<double> heights{};
+  bool operator==(const horizon_curve_points&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -26,6 +26,7 @@ struct horizon_line_counts {
   std::int64_t parts = 0;  // that are seen
   std::int64_t hidden = 0;  // steps of which nothing is seen
   std::int64_t pieces = 0;  // of both horizons, at the end
+  bool operator==(const horizon_line_counts&) const = default;
 };
 
 inline namespace IRG_ABI {

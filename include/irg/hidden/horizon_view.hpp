@@ -24,6 +24,7 @@ struct horizon_view {
   int curves = 41;
   int samples = 0;
   horizon_curves families = horizon_curves::both;
+  bool operator==(const horizon_view&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -42,6 +42,7 @@ struct line_drawing_options {
   T crease = T(0.5235987755982988);  // 30 degrees
   face_culling culling = face_culling::none;
   skipping frustum = skipping::off;  // on: edges beyond a border of the picture are left out, triangles are counted
+  bool operator==(const line_drawing_options&) const = default;
 };
 
 /// Faces and edges on the screen, ready for hidden_lines; roles[i] is that of edges[i].
@@ -52,6 +53,7 @@ struct line_drawing {
   std::int64_t triangles = 0;  // all of the meshes
   std::int64_t beyond = 0;  // of these wholly beyond a border of the picture or of the depth range, with frustum on
   std::int64_t culled = 0;  // of the others those that culling left out
+  bool operator==(const line_drawing&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -60,7 +62,7 @@ constexpr screen_box box_of_corners(const screen_face& f) noexcept {
   return box_of({f.v[0].position, f.v[1].position, f.v[2].position});
 }
 constexpr screen_box around(const screen_box& a, const screen_box& b) noexcept {
-  return {lesser(a.left, b.left), lesser(a.top, b.top), greater(a.right, b.right), greater(a.bottom, b.bottom)};
+  return {minimum(a.left, b.left), minimum(a.top, b.top), maximum(a.right, b.right), maximum(a.bottom, b.bottom)};
 }
 
 // A mesh on its way into a drawing.
@@ -96,7 +98,7 @@ private:
     const mesh<T> cut = is_cut ? mesh<T>{} : triangulated(mesh_);
     const mesh<T>& triangles = is_cut ? mesh_ : cut;
     if (const std::size_t n = drawing.faces.size() + triangles.face_count(); n > drawing.faces.capacity())
-      drawing.faces.reserve(greater(n, 2 * drawing.faces.capacity()));  // bodies are added one by one
+      drawing.faces.reserve(maximum(n, 2 * drawing.faces.capacity()));  // bodies are added one by one
     face_of_corner_.reserve(mesh_.corners.size());
     side_.reserve(mesh_.face_count());
     for (std::size_t f = 0, t = 0; f < mesh_.face_count(); ++f) {

@@ -291,7 +291,7 @@ struct newell_painter {
       if (!may_be_drawn()) continue;
       draw(list.back());
       list.pop_back();
-      in_order = lesser(in_order, list.size());
+      in_order = minimum(in_order, list.size());
     }
   }
 

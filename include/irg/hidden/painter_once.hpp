@@ -30,7 +30,7 @@ struct painter_once : exact_method {
       covered_spans(f.coverage, window, [&](const span_of_cells& s) {
         for (int x = s.x_first; x < s.x_last; ++x) {
           std::uint32_t& id = ids(x, s.y);
-          if (const screen_face* other = id == no_face ? nullptr : find(list, id, x, s.y)) {
+          if (const screen_face* other = id == no_index ? nullptr : find(list, id, x, s.y)) {
             ++counts.tested;
             if (!is_nearer<Order>(f, *other, x, s.y)) continue;
           }

@@ -25,6 +25,7 @@ struct picture_grid {
   [[nodiscard]] IRG_INLINE constexpr T y_of(int row) const noexcept {
     return y + product(static_cast<T>(row), per_row);
   }
+  bool operator==(const picture_grid&) const = default;
 };
 
 /// A quantity that is linear on the picture: its value at pixel (0, 0), and how much it grows from each column to the

@@ -118,13 +118,13 @@ constexpr void fit_box(View& view) noexcept {
   for (int k = 0; k < 8; ++k) {
     const auto at = view.camera({k & 1 ? 1.0 : 0.0, k & 2 ? options.tallness : 0.0, k & 4 ? 1.0 : 0.0});
     if (!at) continue;
-    low = k == 0 ? *at : point<double, 2>{lesser(low.x, at->x), lesser(low.y, at->y)};
-    high = k == 0 ? *at : point<double, 2>{greater(high.x, at->x), greater(high.y, at->y)};
+    low = k == 0 ? *at : point<double, 2>{minimum(low.x, at->x), minimum(low.y, at->y)};
+    high = k == 0 ? *at : point<double, 2>{maximum(high.x, at->x), maximum(high.y, at->y)};
   }
-  const double room_x = greater(options.width - 11 * text, 0.3 * options.width);
-  const double room_y = greater(options.height - 7 * text, 0.3 * options.height);
+  const double room_x = maximum(options.width - 11 * text, 0.3 * options.width);
+  const double room_y = maximum(options.height - 7 * text, 0.3 * options.height);
   const double wide = (high.x - low.x) / room_x, tall = (high.y - low.y) / room_y;
-  view.unit = greater(wide, tall) > 0 ? greater(wide, tall) : 1;
+  view.unit = maximum(wide, tall) > 0 ? maximum(wide, tall) : 1;
   view.middle = {(low.x + high.x) / 2, (low.y + high.y) / 2};
 }
 
@@ -243,8 +243,8 @@ constexpr bool add_label(Plot& out, const plot_text& text, const point<double, 2
                          double size) {
   const double width = measure_text(text, size).width;
   const double x = at.x + product(d.x - 1, width / 2), y = at.y + product(d.y, size / 2);
-  const double left = clamp(x, 1.0, greater(1.0, out.width - width - 1));
-  const double middle = clamp(y, size / 2 + 1, greater(size, out.height - size / 2 - 1));
+  const double left = clamped(x, 1.0, maximum(1.0, out.width - width - 1));
+  const double middle = clamped(y, size / 2 + 1, maximum(size, out.height - size / 2 - 1));
   for (const auto& l : out.labels) {
     const double other = measure_text(l.text, l.style.size).width, apart = (size + l.style.size) * 0.45;
     const double gap = size * 0.3, right = left + width;
@@ -285,7 +285,7 @@ constexpr void add_axis(const View& view, const plot_axis& a, Plot& out) {
     const auto at = view.place_in_box(spot(share));
     if (!at) continue;
     out.axes.push_back({*at, {at->x + 6 * d.x, at->y + 6 * d.y}, colours.ink});
-    widest = greater(widest, measure_text(tick.text, text).width);
+    widest = maximum(widest, measure_text(tick.text, text).width);
     add_label(out, tick.text, {at->x + 10 * d.x, at->y + 10 * d.y}, d, text);
   }
   const double distant = 16 + product(magnitude(d.x), widest) + product(magnitude(d.y), text);

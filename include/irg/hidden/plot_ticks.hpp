@@ -22,6 +22,7 @@ using plot_text = part_name;
 struct axis_tick {
   double value = 0;
   plot_text text{};
+  bool operator==(const axis_tick&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -30,9 +31,9 @@ namespace detail::inline IRG_ABI {
 template <class Int>
 constexpr double decimal_value(Int digits, int exponent) noexcept {
   char text[44] = {};
-  char* end = print_integer(text, text + 20, digits);
+  char* end = *print_integer(text, text + 20, digits);
   *end++ = 'e';
-  end = print_integer(end, end + 20, exponent);
+  end = *print_integer(end, end + 20, exponent);
   return parse_decimal<double>(text, end).value;
 }
 
@@ -57,7 +58,7 @@ inline namespace IRG_ABI {
 template <class Tick = axis_tick>
 [[nodiscard]] constexpr std::vector<Tick> axis_ticks(double low, double high, int most) {
   std::vector<Tick> ticks;
-  const double span = high - low, size = greater(magnitude(low), magnitude(high));
+  const double span = high - low, size = maximum(magnitude(low), magnitude(high));
   if (!(low <= high) || !(size <= 0x1.fffffffffffffp1023)) return ticks;
   if (low == high) {
     detail::add_tick(ticks, low);

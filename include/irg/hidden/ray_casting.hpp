@@ -56,12 +56,12 @@ constexpr void leave_out_equal_faces(std::vector<Face>& list) {
     return h;
   };
   // The places in the list of those met before, open addressing.
-  std::vector<std::uint32_t> met(std::bit_ceil(2 * list.size()), no_face);
+  std::vector<std::uint32_t> met(std::bit_ceil(2 * list.size()), no_index);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     std::size_t at = hash_of(list[i]) & (met.size() - 1);
-    while (met[at] != no_face && !is_same(list[met[at]], list[i])) at = (at + 1) & (met.size() - 1);
-    if (met[at] != no_face) {
+    while (met[at] != no_index && !is_same(list[met[at]], list[i])) at = (at + 1) & (met.size() - 1);
+    if (met[at] != no_index) {
       Face& first = list[met[at]];
       if (wins_tie<Order>(list[i], first)) first.number = list[i].number;
       continue;

@@ -13,6 +13,7 @@ namespace irg {
 /// A box with sides along the axes.
 struct surface_box {
   point<double, 3> low{}, high{};
+  bool operator==(const surface_box&) const = default;
 };
 
 /// An eye and the plane that it sees a surface in.
@@ -31,6 +32,7 @@ struct surface_camera {
     if (!(magnitude(at.x) < 0x1p500 && magnitude(at.y) < 0x1p500)) return std::nullopt;
     return at;
   }
+  bool operator==(const surface_camera&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -44,8 +46,8 @@ template <class Surface>
     bool any = false;
     for (const double v : numbers) {
       if (!is_finite(v)) continue;
-      low = any ? lesser(low, v) : v;
-      high = any ? greater(high, v) : v;
+      low = any ? minimum(low, v) : v;
+      high = any ? maximum(high, v) : v;
       any = true;
     }
   };
@@ -63,7 +65,7 @@ template <class Surface>
 template <class Box>
 [[nodiscard]] constexpr surface_camera camera_on(const Box& box, const point<double, 3>& eye) noexcept {
   const auto unit = [](const vec<double, 3>& v) {
-    const double size = greater(greater(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+    const double size = maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
     if (!(size > 0)) return vec<double, 3>{0, 0, 0};
     const vec<double, 3> s = v / size;
     return s / sqrt(dot(s, s));

@@ -34,21 +34,25 @@ struct surface_plot_options {
   surface_style style = surface_style::lines;
   plot_text x{"x"}, y{"y"}, z{"z"};  // beside the axes; y is the height
   double text_size = 14;
+  bool operator==(const surface_plot_options&) const = default;
 };
 
 /// What a plot consists of, in the order in which it is drawn: pixels, y down.
 struct plot_line {
   point<double, 2> from, to;
   rgba8 colour;
+  bool operator==(const plot_line&) const = default;
 };
 struct plot_facet {
   std::array<point<double, 2>, 4> corners;
   rgba8 colour;
+  bool operator==(const plot_facet&) const = default;
 };
 struct plot_label {
   plot_text text;
   point<double, 2> at;
   text_style style;
+  bool operator==(const plot_label&) const = default;
 };
 struct surface_plot {
   int width = 0, height = 0;
@@ -63,6 +67,7 @@ struct surface_plot {
 /// The colours of a plot: of its paper, its axes and texts, the edges of facets.
 struct plot_colours {
   rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, edge{46, 52, 64, 255};
+  bool operator==(const plot_colours&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -72,8 +77,8 @@ template <class T>
 [[nodiscard]] constexpr rgba8 height_colour(T share) noexcept {
   constexpr rgba8 stops[] = {
       {38, 66, 128, 255}, {62, 130, 180, 255}, {196, 178, 128, 255}, {206, 116, 58, 255}, {140, 36, 52, 255}};
-  const T place = clamp(share, T(0), T(1)) * 4;
-  const int k = lesser(static_cast<int>(place), 3);
+  const T place = clamped(share, T(0), T(1)) * 4;
+  const int k = minimum(static_cast<int>(place), 3);
   return mix(stops[k], stops[k + 1], static_cast<std::uint8_t>((place - static_cast<T>(k)) * 255));
 }
 

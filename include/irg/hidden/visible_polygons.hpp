@@ -24,10 +24,11 @@ namespace irg {
 
 /// A ring of a visible region: `count` corners from corners[first] on.
 /// shape   the region lies on one side of it: outer rings have a positive signed area (clockwise as seen, y being
-///         down), rings of holes a negative one. no_face is the background
+///         down), rings of holes a negative one. no_index is the background
 struct visible_ring {
-  std::uint32_t number = no_face;
+  std::uint32_t number = no_index;
   std::size_t first = 0, count = 0;
+  bool operator==(const visible_ring&) const = default;
 };
 
 /// A window cut into visible regions.
@@ -38,6 +39,7 @@ struct visible_polygon_map {
   std::vector<std::uint32_t> corners{};
   std::vector<visible_ring> rings{};
   std::size_t cells = 0;  // convex ones, of which the regions were put together
+  bool operator==(const visible_polygon_map&) const = default;
 };
 
 inline namespace IRG_ABI {

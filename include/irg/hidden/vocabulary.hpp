@@ -19,6 +19,7 @@ struct edge_part {
   std::size_t edge;
   line_visibility visibility;
   double from, to;
+  bool operator==(const edge_part&) const = default;
 };
 
 /// The tests of Newell, Newell and Sancha by which P does not hide Q, the last of them where the extents of P and Q
@@ -41,7 +42,7 @@ struct newell_counts {
   std::int64_t steps[10] = {};  // by newell_step
   std::int64_t hidden = 0;  // faces left out in windows where another hides them
   IRG_INLINE constexpr std::int64_t operator[](newell_step s) const noexcept { return steps[static_cast<int>(s)]; }
-  constexpr bool operator==(const newell_counts&) const = default;
+  bool operator==(const newell_counts&) const = default;
 };
 
 /// Sees no steps.

@@ -31,7 +31,7 @@ struct warnock_counts {
   std::int64_t hidden = 0;  // faces left off lists, a surrounding one being in front
 
   IRG_INLINE constexpr std::int64_t operator[](warnock_case c) const noexcept { return windows[static_cast<int>(c)]; }
-  constexpr bool operator==(const warnock_counts&) const = default;
+  bool operator==(const warnock_counts&) const = default;
 };
 
 /// Sees no windows.

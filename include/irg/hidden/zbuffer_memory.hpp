@@ -14,20 +14,21 @@ namespace irg {
 /// How many values a pixel must tell apart in each buffer; 0 and 1 need no memory.
 struct zbuffer_levels {
   std::uint64_t depth = 0, colours = 0, objects = 0;
+  bool operator==(const zbuffer_levels&) const = default;
 };
 
 /// Bits per pixel and bytes of one buffer. Rows and pixels follow each other without a gap.
 struct buffer_memory {
   int bits_per_pixel = 0;
   std::uint64_t bytes = 0;
-  constexpr bool operator==(const buffer_memory&) const = default;
+  bool operator==(const buffer_memory&) const = default;
 };
 
 /// The buffers of a z-buffer picture, and what they come to.
 struct zbuffer_memory_table {
   buffer_memory depth, colours, objects;
   std::uint64_t bytes = 0;
-  constexpr bool operator==(const zbuffer_memory_table&) const = default;
+  bool operator==(const zbuffer_memory_table&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -16,6 +16,7 @@ struct animation_options {
   int milliseconds = 40;  // that each picture is shown: 0 to 65535
   int repeats = 0;        // 0: without end
   png_options::compression effort = png_options::compression::fast;
+  bool operator==(const animation_options&) const = default;
 };
 
 inline namespace IRG_ABI {

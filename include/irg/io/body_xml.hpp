@@ -43,8 +43,7 @@ template <Floating T>
     const auto corners = static_cast<std::uint32_t>(all.corners.size());
     const std::size_t faces = all.face_count();
     for (const point<T, 3>& p : b.shape.positions) all.positions.push_back(p);
-    for (const mesh_corner& c : b.shape.corners)
-      all.corners.push_back({c.position + points, mesh_corner::none, mesh_corner::none});
+    for (const mesh_corner& c : b.shape.corners) all.corners.push_back({c.position + points, no_index, no_index});
     for (std::size_t f = 1; f < b.shape.face_starts.size(); ++f)
       all.face_starts.push_back(b.shape.face_starts[f] + corners);
     if (b.shape.face_count() != 0) all.parts.push_back({b.name, {}, {}, faces, b.shape.face_count()});
@@ -210,13 +209,12 @@ struct body_xml_reader {
   constexpr bool face(stored_body<T>& b) {
     if (!only({"points", "surface"})) return false;
     const char* const start = xml.name.data();
-    const std::int64_t count = indices("points", b.shape.positions.size(), no_point, [&](std::uint32_t i) {
-      b.shape.corners.push_back({i, mesh_corner::none, mesh_corner::none});
-    });
+    const std::int64_t count = indices("points", b.shape.positions.size(), no_point,
+                                       [&](std::uint32_t i) { b.shape.corners.push_back({i, no_index, no_index}); });
     if (count < 0) return false;
     if (count < 3) return fail(start, "face has fewer than three corners");
     b.shape.face_starts.push_back(static_cast<std::uint32_t>(b.shape.corners.size()));
-    std::uint32_t which = stored_body<T>::no_surface;
+    std::uint32_t which = no_index;
     if (xml.attribute("surface").data() != nullptr) {
       const char* const beyond = "surface is none of those that stand before";
       const std::int64_t named = indices("surface", b.surfaces.size(), beyond, [&](std::uint32_t i) { which = i; });
@@ -296,8 +294,7 @@ constexpr std::optional<encode_error> refuse_body(const stored_body<T>& b) noexc
   if (b.surface_of_face.size() != b.shape.face_count())
     return encode_error{"body has not one entry of surface_of_face for each face"};
   for (const std::uint32_t s : b.surface_of_face)
-    if (s != stored_body<T>::no_surface && s >= b.surfaces.size())
-      return encode_error{"body has a face whose surface does not exist"};
+    if (s != no_index && s >= b.surfaces.size()) return encode_error{"body has a face whose surface does not exist"};
   for (const stored_surface<T>& s : b.surfaces) {
     const material<T>& m = s.reflection;
     for (const T x : {m.ambient.r, m.ambient.g, m.ambient.b, m.diffuse.r, m.diffuse.g, m.diffuse.b, m.specular.r,
@@ -345,7 +342,7 @@ constexpr void write_body(Bytes& out, const stored_body<T>& b) {
       if (k != 0) append_text(out, " ");
       append_number(out, b.shape.corner(f, k).position);
     }
-    if (b.surface_of_face[f] != stored_body<T>::no_surface) {
+    if (b.surface_of_face[f] != no_index) {
       append_all(out, "\" surface=\"", b.surface_of_face[f]);
     }
     append_text(out, "\"/>\n");

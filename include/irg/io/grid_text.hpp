@@ -25,6 +25,7 @@ namespace irg {
 struct grid_text {
   walled_grid grid;
   std::vector<cell3> units;
+  bool operator==(const grid_text&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -34,7 +35,7 @@ inline namespace IRG_ABI {
 ///         says, other letters in them, units outside of the map or in a full cell, unknown walls
 /// cost    memory bounded by the text's size
 template <class Map = grid_text>
-[[nodiscard]] constexpr result<Map> read_grid(std::string_view text, const wall_rules& rules = {});
+[[nodiscard]] constexpr result<Map> read_grid(std::string_view text, const wall_options& rules = {});
 
 /// The text of a map and its units, which read_grid reads back.
 /// needs   a map with cells
@@ -52,7 +53,7 @@ inline constexpr std::string_view side_names[] = {"x+", "y+", "z+"};
 template <class Map>
 class grid_reader {
 public:
-  constexpr grid_reader(std::string_view text, const wall_rules& rules) : text_(text), rules_(rules) {}
+  constexpr grid_reader(std::string_view text, const wall_options& rules) : text_(text), rules_(rules) {}
 
   constexpr result<Map> read() {
     Map out;
@@ -203,7 +204,7 @@ private:
   }
 
   std::string_view text_;
-  wall_rules rules_;
+  wall_options rules_;
   std::size_t at_ = 0;
   grid_extent extent_;
   parse_error error_;
@@ -223,7 +224,7 @@ constexpr void append_cell(Text& out, const cell3& c) {
 namespace irg::inline IRG_ABI {
 
 template <class Map>
-[[nodiscard]] constexpr result<Map> read_grid(std::string_view text, const wall_rules& rules) {
+[[nodiscard]] constexpr result<Map> read_grid(std::string_view text, const wall_options& rules) {
   return detail::grid_reader<Map>(detail::without_byte_order_mark(text), rules).read();
 }
 

@@ -22,9 +22,6 @@ namespace irg {
 /// The image files that irg writes.
 enum class image_format { png, ppm, svg };
 
-/// The old name of image_format.
-using picture_format [[deprecated("irg: picture_format is now image_format")]] = image_format;
-
 /// The endings of their names, for messages.
 inline constexpr const char* picture_endings = ".png, .ppm or .svg";
 

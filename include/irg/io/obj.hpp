@@ -19,6 +19,7 @@ namespace irg {
 /// How an OBJ text is read.
 struct obj_options {
   obj_unused unused = obj_unused::skip;
+  bool operator==(const obj_options&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -219,7 +220,7 @@ struct obj_pieces {
     if (!p.reader.looks_back) return;
     const auto settled = [](std::uint32_t index, std::size_t before) {
       const std::int64_t back = std::int64_t{index} - obj_back_from + static_cast<std::int64_t>(before);
-      return index == mesh_corner::none || index < obj_most_in_piece ? index : static_cast<std::uint32_t>(back);
+      return index == no_index || index < obj_most_in_piece ? index : static_cast<std::uint32_t>(back);
     };
     std::vector<mesh_corner>& all = whole.content.made.corners;
     for (std::size_t i = all.size() - p.reader.content.corners; i < all.size(); ++i)

@@ -42,9 +42,9 @@ constexpr void write_obj_corner(Bytes& out, const mesh_corner& c) {
   const auto put = [&](std::uint32_t index) { append_number(out, std::uint64_t{index} + 1); };
   append_text(out, " ");
   put(c.position);
-  if (c.texcoord != mesh_corner::none || c.normal != mesh_corner::none) append_text(out, "/");
-  if (c.texcoord != mesh_corner::none) put(c.texcoord);
-  if (c.normal == mesh_corner::none) return;
+  if (c.texcoord != no_index || c.normal != no_index) append_text(out, "/");
+  if (c.texcoord != no_index) put(c.texcoord);
+  if (c.normal == no_index) return;
   append_text(out, "/");
   put(c.normal);
 }

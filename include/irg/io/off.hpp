@@ -216,7 +216,7 @@ struct off_reader {
     if (index < 0) return cursor.fail(place, "index of a vertex is negative");
     if (index >= vertex_count) return cursor.fail(place, "face index is not smaller than the number of vertices");
     const auto v = static_cast<std::uint32_t>(index);
-    read.corners.push_back({v, header.normals ? v : mesh_corner::none, header.texcoords ? v : mesh_corner::none});
+    read.corners.push_back({v, header.normals ? v : no_index, header.texcoords ? v : no_index});
     return true;
   }
   constexpr void end_face() { read.face_starts.push_back(static_cast<std::uint32_t>(read.corners.size())); }

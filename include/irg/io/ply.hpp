@@ -405,7 +405,7 @@ struct ply_body_reader {
       if (index < 0) return source.cursor.fail(place, "index of a vertex is negative");
       if (static_cast<std::uint64_t>(index) >= vertex_count)
         return source.cursor.fail(place, "face index is not smaller than the number of vertices");
-      read.corners.push_back({static_cast<std::uint32_t>(index), mesh_corner::none, mesh_corner::none});
+      read.corners.push_back({static_cast<std::uint32_t>(index), no_index, no_index});
     }
     read.face_starts.push_back(static_cast<std::uint32_t>(read.corners.size()));
     return true;

@@ -20,6 +20,7 @@ struct png_options {
   enum class channels { needed, rgba };           // no opacity or colour where no pixel has any, or always all four
   compression effort = compression::fast;
   channels kept = channels::needed;
+  bool operator==(const png_options&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -22,6 +22,7 @@ namespace irg {
 /// What a PNG file may ask of memory: a small one can hold a very large picture.
 struct png_read_options {
   std::uint64_t most_pixels = max_picture_pixels;
+  bool operator==(const png_read_options&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -33,6 +33,7 @@ enum class stl_positions { shared, separate };
 
 struct stl_options {
   stl_positions positions = stl_positions::shared;
+  bool operator==(const stl_options&) const = default;
 };
 
 inline namespace IRG_ABI {

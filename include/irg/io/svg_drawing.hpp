@@ -19,6 +19,7 @@ namespace irg {
 struct svg_stroke {
   rgba8 colour{0, 0, 0, 255};
   double width = 1, dash = 0;
+  bool operator==(const svg_stroke&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

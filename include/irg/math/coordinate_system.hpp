@@ -22,7 +22,7 @@ enum class handedness {
 /// needs   directions on three different lines, for all that takes one
 struct coordinate_system {
   axis_direction x, y, z;
-  constexpr bool operator==(const coordinate_system&) const = default;
+  bool operator==(const coordinate_system&) const = default;
 };
 
 /// Hank's world, OpenGL's and this library's: y up, z toward the viewer. Right-handed.

@@ -20,6 +20,7 @@ namespace irg {
 struct scaled_number {
   double significand;
   int exponent;
+  bool operator==(const scaled_number&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -113,7 +114,7 @@ struct integer_parts {
   bits_type significand;
   int place;
   bool negative;
-  constexpr bool operator==(const integer_parts&) const = default;
+  bool operator==(const integer_parts&) const = default;
 };
 
 /// x as an integer times a power of two, told from its bits: no mode of the processor reaches it.

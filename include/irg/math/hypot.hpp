@@ -76,7 +76,7 @@ constexpr double hypotenuse_of_sizes(Sizes... sizes) noexcept {
   const auto length_of = [](auto... scaled)
                              IRG_INLINE_LAMBDA { return length_of_moderate(sum_of_squares(scaled...), scaled...); };
   double largest = 0;
-  ((largest = greater(sizes, largest)), ...);
+  ((largest = maximum(sizes, largest)), ...);
   if (has_moderate_square(largest)) return round(length_of(sizes...));
   if (largest == 0) return 0;
   if (largest > 1) {

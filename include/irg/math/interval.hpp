@@ -147,14 +147,14 @@ template <Floating T>
 /// The numbers that are in both.
 template <Floating T>
 [[nodiscard]] constexpr interval<T> intersect(const interval<T>& a, const interval<T>& b) noexcept {
-  return {greater(a.lower(), b.lower()), lesser(a.upper(), b.upper())};
+  return {maximum(a.lower(), b.lower()), minimum(a.upper(), b.upper())};
 }
 
 /// The smallest interval that contains both.
 template <Floating T>
 [[nodiscard]] constexpr interval<T> hull(const interval<T>& a, const interval<T>& b) noexcept {
   if (a.is_empty()) return b;
-  return b.is_empty() ? a : interval<T>(lesser(a.lower(), b.lower()), greater(a.upper(), b.upper()));
+  return b.is_empty() ? a : interval<T>(minimum(a.lower(), b.lower()), maximum(a.upper(), b.upper()));
 }
 
 /// The squares; narrower than a*a, and never negative.
@@ -170,7 +170,7 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr interval<T> abs(const interval<T>& a) noexcept {
   if (a.is_empty() || a.lower() >= 0) return a;
-  return a.upper() <= 0 ? -a : interval<T>(T(0), greater(-a.lower(), a.upper()));
+  return a.upper() <= 0 ? -a : interval<T>(T(0), maximum(-a.lower(), a.upper()));
 }
 
 }  // namespace IRG_ABI
@@ -285,8 +285,8 @@ template <Floating T>
 constexpr interval<T> interval_product(const interval<T>& a, const interval<T>& b) noexcept {
   if (a.is_empty() || b.is_empty()) return interval<T>::empty();
   const auto lowest = [](const interval<T>& x, const interval<T>& y) {
-    return lesser(lesser(product_down(x.lower(), y.lower()), product_down(x.lower(), y.upper())),
-                  lesser(product_down(x.upper(), y.lower()), product_down(x.upper(), y.upper())));
+    return minimum(minimum(product_down(x.lower(), y.lower()), product_down(x.lower(), y.upper())),
+                   minimum(product_down(x.upper(), y.lower()), product_down(x.upper(), y.upper())));
   };
   return {lowest(a, b), -lowest(-a, b)};
 }
@@ -342,13 +342,13 @@ template <Floating T>
   const bool left = is_finite(a.lower()), right = is_finite(a.upper());
   if (!left || !right) return left ? detail::largest_number<T> : right ? -detail::largest_number<T> : T(0);
   const T sum = T(0.5) * a.lower() + T(0.5) * a.upper();
-  return clamp(sum, a.lower(), a.upper());
+  return clamped(sum, a.lower(), a.upper());
 }
 
 template <Floating T>
 [[nodiscard]] constexpr interval<T> square(const interval<T>& a) noexcept {
   if (a.is_empty()) return a;
-  const T outer = greater(-a.lower(), a.upper()), inner = lesser(-a.lower(), a.upper());
+  const T outer = maximum(-a.lower(), a.upper()), inner = minimum(-a.lower(), a.upper());
   return {inner >= 0 ? T(0) : detail::product_down(inner, inner), -detail::product_down(-outer, outer)};
 }
 

@@ -183,11 +183,11 @@ IRG_INLINE T norm_1_in_lanes(const T (&a)[4][4]) noexcept {
     return ((row(0) + row(1)) + row(2)) + row(3);
   };
   if constexpr (count == 4) {
-    const auto sums = sums_from(0), pairs = high_of(shuffled<2, 3, 2, 3>(sums), sums);
-    return greater(pairs[0], pairs[1]);
+    const auto sums = sums_from(0), pairs = maximum(shuffled<2, 3, 2, 3>(sums), sums);
+    return maximum(pairs[0], pairs[1]);
   } else {
-    const auto pairs = high_of(sums_from(0), sums_from(2));
-    return greater(pairs[0], pairs[1]);
+    const auto pairs = maximum(sums_from(0), sums_from(2));
+    return maximum(pairs[0], pairs[1]);
   }
 }
 template <int Diagonal, class T, int N>
@@ -245,8 +245,8 @@ constexpr bool has_mixed_sizes(const mat<T, N, N>& a) noexcept {
   T least = infinity<T>, largest = T(0);
   for (int i = 0; i < N * N; ++i) {
     const T size = magnitude(a(i / N, i % N));
-    largest = greater(size, largest);
-    if (size != T(0)) least = lesser(size, least);
+    largest = maximum(size, largest);
+    if (size != T(0)) least = minimum(size, least);
   }
   return least < largest * static_cast<T>(0x1p-16);
 }
@@ -282,7 +282,7 @@ constexpr unsigned doubtful_entries(const scaled_system<N>& s, const mat<double,
   unsigned which = 0;
   double largest[static_cast<std::size_t>(N)]{};
   for (int c = 0; c < N; ++c) {
-    for (int r = 0; r < N; ++r) largest[c] = greater(largest[c], magnitude(x(r, c)));
+    for (int r = 0; r < N; ++r) largest[c] = maximum(largest[c], magnitude(x(r, c)));
     for (int r = 0; r < N; ++r) which |= is_doubtful(x(r, c), largest[c], condition, s.sizes) ? 1u << (r * N + c) : 0;
   }
   if (which == 0) return 0;
@@ -305,7 +305,7 @@ constexpr bool refined_inverse(const scaled_system<N>& s, const mat<double, N, N
     vec<double, N> unit{}, column{}, tail{};
     unit[c] = 1;
     if (!refine(s, unit, column, tail) || !(size_1(column) < largest_column)) return false;
-    largest = greater(largest, size_1(column));
+    largest = maximum(largest, size_1(column));
     for (int r = 0; r < N; ++r) {
       scaled(r, c) = column[r];
       x(r, c) = scaled_back<T>(column[r], tail[r], -s.column_exponent[r] - s.row_exponent[c]);
@@ -322,7 +322,7 @@ constexpr bool refined_inverse(const scaled_system<N>& s, const mat<double, N, N
 template <Real T, int N>
 IRG_NOINLINE constexpr std::optional<mat<T, N, N>> inverse_by_elimination(const mat<T, N, N>& a) noexcept {
   if (!entries_finite<T>(a, N, N)) return std::nullopt;
-  mat<T, N, N> left = a, right = identity<T, N>();
+  mat<T, N, N> left = a, right = identity_matrix<T, N>();
   const bool is_regular = gauss_jordan<T>(left, right, N);
   // A pivot that overflows leaves zeros in `right`, and a NaN in `left`.
   const bool fits = entries_finite<T>(left, N, N) && entries_finite<T>(right, N, N);

@@ -24,6 +24,7 @@ template <int N>
 struct scaled_coordinates {
   double c[static_cast<std::size_t>(N)]{};
   double scale = 0;
+  bool operator==(const scaled_coordinates&) const = default;
 };
 
 }  // namespace irg

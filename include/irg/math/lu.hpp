@@ -87,7 +87,7 @@ template <class T, int R, int C>
   for (int r = 0; r < R; ++r)
     for (int c = 0; c < C; ++c) sum[c] = sum[c] + detail::entry_size(a(r, c));
   T largest = sum[0];
-  for (int c = 1; c < C; ++c) largest = greater(sum[c], largest);
+  for (int c = 1; c < C; ++c) largest = maximum(sum[c], largest);
   return largest;
 }
 
@@ -104,7 +104,7 @@ template <Real T, int N>
     const T sum =
         detail::size_1(lu_solve(f, generate_coordinates<vec<T, N>>([&](int i) { return i == c ? T(1) : T(0); })));
     if (!(sum == sum)) return T(0);
-    largest = greater(sum, largest);
+    largest = maximum(sum, largest);
   }
   return T(1) / norm_1(a) / largest;
 }
@@ -191,7 +191,7 @@ IRG_INLINE constexpr T scaled_back(double x, double tail, int e) noexcept {
 // have spoiled it; where the matrix is of one size, only differences of equal terms are that small.
 IRG_INLINE constexpr bool is_doubtful(double x, double largest, double condition, const scaled_sizes& sizes) noexcept {
   if (!sizes.is_mixed() || (x == 0 && !sizes.has_small())) return false;
-  return magnitude(x) < product(largest, lesser(product(condition, 0x1p-56), 0x1p-8));
+  return magnitude(x) < product(largest, minimum(product(condition, 0x1p-56), 0x1p-8));
 }
 
 // The solution of a * x = b, s being a scaled and factored.

@@ -62,7 +62,7 @@ template <Scalar T, int R, int C, class F>
 
 /// The matrix that leaves everything where it is.
 template <Scalar T, int N>
-[[nodiscard]] constexpr mat<T, N, N> identity() noexcept {
+[[nodiscard]] constexpr mat<T, N, N> identity_matrix() noexcept {
   return generate_mat<T, N, N>([](int r, int c) { return r == c ? T(1) : T(0); });
 }
 
@@ -218,6 +218,13 @@ template <class T, int N>
       return (r + c) % 2 == 0 ? det : -det;
     });
   }
+}
+
+/// Writes the rows, "((1, 2), (3, 4))".
+template <class S, class T, int R, int C>
+  requires TextStream<S, T>
+constexpr S& operator<<(S& stream, const mat<T, R, C>& m) {
+  return print_list(stream, R, [&](int r) { return generate_coordinates<vec<T, C>>([&](int c) { return m(r, c); }); });
 }
 
 IRG_REFUSES_VECTORS(transform_point);

@@ -102,7 +102,7 @@ inline namespace IRG_ABI {
 /// The n x n matrix that leaves everything where it is.
 /// needs   n >= 0
 template <Scalar T>
-[[nodiscard]] constexpr matrix<T> identity(int n) {
+[[nodiscard]] constexpr matrix<T> identity_matrix(int n) {
   return detail::filled_matrix<T>(n, n, [](int r, int c) { return r == c ? T(1) : T(0); });
 }
 
@@ -187,17 +187,17 @@ template <Real T>
   const int n = a.rows();
   if (n != a.columns()) return matrix_error::not_square;
   if (!detail::entries_finite<T>(a, n, n)) return matrix_error::not_finite;
-  matrix<T> left = a, right = identity<T>(n);
+  matrix<T> left = a, right = identity_matrix<T>(n);
   bool is_regular = detail::gauss_jordan<T>(left, right, n);
   if constexpr (Floating<T>) {
     // A pivot that overflows leaves zeros in `right` and a NaN in `left`: once more, nearer to the middle of the range.
     if (!detail::entries_finite<T>(left, n, n) || !detail::entries_finite<T>(right, n, n)) {
       T largest = T(0);
       for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c) largest = greater(detail::entry_size(a(r, c)), largest);
+        for (int c = 0; c < n; ++c) largest = maximum(detail::entry_size(a(r, c)), largest);
       const T scale = static_cast<T>(largest < static_cast<T>(sizeof(T) == 4 ? 0x1p32 : 0x1p512) ? 0x1p64 : 0x1p-64);
       left = multiply(a, scale);
-      right = identity<T>(n);
+      right = identity_matrix<T>(n);
       is_regular = detail::gauss_jordan<T>(left, right, n);
       right = multiply(right, scale);
     }
@@ -215,10 +215,10 @@ namespace detail::inline IRG_ABI {
 
 // The column of the n numbers x(i), or why there is none.
 template <Real T, class X>
-constexpr matrix_result<T> solution_column(solvability kind, int n, const X& x) {
-  if (kind == solvability::dependent) return matrix_error::dependent;
-  if (kind == solvability::inconsistent) return matrix_error::inconsistent;
-  if (kind == solvability::not_finite) return matrix_error::not_finite;
+constexpr matrix_result<T> solution_column(system_status status, int n, const X& x) {
+  if (status == system_status::dependent) return matrix_error::dependent;
+  if (status == system_status::inconsistent) return matrix_error::inconsistent;
+  if (status == system_status::not_finite) return matrix_error::not_finite;
   matrix<T> solution = filled_matrix<T>(n, 1, [&](int r, int) { return static_cast<T>(x(r)); });
   if (!entries_finite<T>(solution, n, 1)) return matrix_error::not_finite;
   return solution;
@@ -227,7 +227,7 @@ constexpr matrix_result<T> solution_column(solvability kind, int n, const X& x) 
 template <Floating T, int N, class E>
 constexpr matrix_result<T> solve_of_size(const E& entry) {
   const auto s = solve_gauss(generate_mat<T, N, N + 1>([&](int r, int c) { return static_cast<T>(entry(r, c)); }));
-  return solution_column<T>(s.kind, N, [&](int i) { return s.x[i]; });
+  return solution_column<T>(s.status, N, [&](int i) { return s.x[i]; });
 }
 
 }  // namespace detail::inline IRG_ABI
@@ -257,7 +257,7 @@ template <Real T>
   matrix<W> x(n, 1);
   const detail::elimination_space<W> space{numbers.data(), numbers.data() + 2 * n, largest_term.data()};
   const detail::eliminated found = detail::solve_rows(rows, entry, n, space, [&](int i) -> W& { return x(i, 0); });
-  return detail::solution_column<T>(found.kind, n, [&](int i) { return x(i, 0); });
+  return detail::solution_column<T>(found.status, n, [&](int i) { return x(i, 0); });
 }
 
 }  // namespace IRG_ABI

@@ -146,7 +146,7 @@ constexpr double scaled_horner(std::size_t n, const C& c, double x) noexcept {
   const auto place = [&](std::size_t i) { return decompose(c(i)).exponent + static_cast<int>(i) * at.exponent; };
   int highest = (std::numeric_limits<int>::min)();
   for (std::size_t i = 0; i < n; ++i)
-    if (c(i) != 0) highest = greater(highest, place(i));
+    if (c(i) != 0) highest = maximum(highest, place(i));
   double value = 0, error = 0;
   for (std::size_t i = n; i-- > 0;) {
     const int k = c(i) == 0 ? -2000 : place(i) - highest;

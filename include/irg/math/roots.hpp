@@ -335,7 +335,7 @@ constexpr double only_root_guess(const cubic_coefficients& p) noexcept {
   if (level == 0) return middle;
   // A third of the exponent: at most 6 % from the cube root.
   double radius = from_bits(bits_of(magnitude(level)) / 3 + 0x2a9f7893782da1ceu) * 1.07;
-  if (fall > 0) radius = 1.324718 * greater(radius, sqrt(fall));
+  if (fall > 0) radius = 1.324718 * maximum(radius, sqrt(fall));
   double x = level < 0 ? middle + radius : middle - radius;
   for (int i = 0; i < 60; ++i) {
     const auto [height, rise] = evaluate_polynomial_with_derivative(p, x);
@@ -366,8 +366,8 @@ constexpr cubic_shape cubic_shape_of(const cubic_coefficients& p) noexcept {
                              : is_large        ? solve_quadratic(0.75 * a, 0.5 * b, 0.25 * c)
                                                : solve_quadratic(3 * a, 2 * b, c);
   const double x = rounded_root(at, 0), y = at.count == 2 ? rounded_root(at, 1) : x;
-  shape.low = clamp(lesser(x, y), -last_double, last_double);
-  shape.high = clamp(greater(x, y), -last_double, last_double);
+  shape.low = clamped(minimum(x, y), -last_double, last_double);
+  shape.high = clamped(maximum(x, y), -last_double, last_double);
   return shape;
 }
 
@@ -392,7 +392,7 @@ constexpr void append_root(real_roots<T, N>& roots, double x, int multiplicity) 
 template <Floating T>
 IRG_INLINE constexpr real_roots<T, 2> two_real_roots(T x, T y, bool is_double) noexcept {
   if (is_double) return {roots_kind::one, 1, {x, T(0)}, {2, 0}};
-  return {roots_kind::two, 2, {lesser(x, y), greater(x, y)}, {1, 1}};
+  return {roots_kind::two, 2, {minimum(x, y), maximum(x, y)}, {1, 1}};
 }
 
 template <Floating T, int N>
@@ -420,8 +420,8 @@ constexpr real_roots<T, N> roots_of_quadratic(double a, double b, double c) noex
   if (found.count == 1) append_root(roots, rounded_root(found, 0), 2);
   if (found.count < 2) return roots;
   const double x = rounded_root(found, 0), y = rounded_root(found, 1);
-  append_root(roots, lesser(x, y), 1);
-  append_root(roots, greater(x, y), 1);
+  append_root(roots, minimum(x, y), 1);
+  append_root(roots, maximum(x, y), 1);
   return roots;
 }
 

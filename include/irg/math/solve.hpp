@@ -13,26 +13,32 @@
 
 namespace irg {
 
-/// What a system of linear equations has: one solution; infinitely many, its equations depending on each other; none,
-/// its equations contradicting each other. not_finite: a number is NaN or infinite, or the solution is too large.
-enum class solvability { unique, dependent, inconsistent, not_finite };
+/// What a system of linear equations has.
+enum class [[nodiscard]] system_status {
+  ok,  ///< one solution
+  dependent,  ///< infinitely many: its equations depend on each other
+  inconsistent,  ///< none: its equations contradict each other
+  not_finite,  ///< a number is NaN or infinite, or the solution is too large
+  unique [[deprecated("irg: unique is now ok")]] = ok
+};
 
 /// The answer to a system of N linear equations.
-/// shape   x is the solution when kind is unique, else zero; rank counts the independent rows of coefficients
+/// shape   x is the solution when status is ok, else zero; rank counts the independent rows of coefficients
 template <Scalar T, int N>
 struct system_solution {
-  solvability kind = solvability::not_finite;
+  system_status status = system_status::not_finite;
   int rank = 0;
   vec<T, N> x{};
 
   /// Whether there is one solution.
-  IRG_INLINE constexpr explicit operator bool() const noexcept { return kind == solvability::unique; }
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == system_status::ok; }
+  bool operator==(const system_solution&) const = default;
 };
 
 namespace detail {
 
 struct eliminated {
-  solvability kind;
+  system_status status;
   int rank;
 };
 
@@ -67,8 +73,8 @@ constexpr eliminated eliminate_fully(M& a, int n, int* column, T* largest_term, 
     if (k == 0) first = entry_size(pivot);
     if (!(product(first, smallest) < entry_size(pivot))) {
       for (int r = k; r < n; ++r)
-        if (product(largest_term[r], smallest) < entry_size(a(r, n))) return {solvability::inconsistent, k};
-      return {solvability::dependent, k};
+        if (product(largest_term[r], smallest) < entry_size(a(r, n))) return {system_status::inconsistent, k};
+      return {system_status::dependent, k};
     }
     swap_rows(a, k, row, n + 1);
     exchange(largest_term[k], largest_term[row]);
@@ -79,13 +85,13 @@ constexpr eliminated eliminate_fully(M& a, int n, int* column, T* largest_term, 
       const T f = a(r, k) / pivot;
       if constexpr (Floating<T>) {  // the f of a row that has been changed is uncertain by u * first / pivot
         const T part = is_changed[r] != 0 ? first / entry_size(pivot) : entry_size(f);
-        largest_term[r] = greater(product(largest_term[k], part), largest_term[r]);
+        largest_term[r] = maximum(product(largest_term[k], part), largest_term[r]);
         if (f != T(0)) is_changed[r] = 1;
       }
       subtract_row(a, r, f, k, k, n + 1);
     }
   }
-  return {solvability::unique, n};
+  return {system_status::ok, n};
 }
 
 // The same whatever sizes rows and columns have: beside each entry, in units of u, stands what its rounding and that of
@@ -108,8 +114,8 @@ constexpr eliminated eliminate_certainly(M& a, M& noise, int n, int* column, dou
         }
     if (row == n) {
       for (int r = k; r < n; ++r)
-        if (is_certain(r, n)) return {solvability::inconsistent, k};
-      return {solvability::dependent, k};
+        if (is_certain(r, n)) return {system_status::inconsistent, k};
+      return {system_status::dependent, k};
     }
     swap_rows(a, k, row, n + 1);
     swap_rows(noise, k, row, n + 1);
@@ -130,7 +136,7 @@ constexpr eliminated eliminate_certainly(M& a, M& noise, int n, int* column, dou
       subtract_row(a, r, f, k, k, n + 1);
     }
   }
-  return {solvability::unique, n};
+  return {system_status::ok, n};
 }
 
 // The unknown of row i of n rows that are zero left of the diagonal, from those of the rows below.
@@ -171,7 +177,7 @@ constexpr eliminated solve_rows(M& a, const E& entry, int n, const elimination_s
   const auto [column, exponents, largest_term] = space;
   if constexpr (!Floating<T>) {
     const eliminated result = eliminate_fully(a, n, column, largest_term, T(0));
-    if (result.kind == solvability::unique) substitute<T>(a, n, column, x);
+    if (result.status == system_status::ok) substitute<T>(a, n, column, x);
     return result;
   } else {
     static_assert(std::same_as<T, double>, "floats are solved in double");
@@ -179,7 +185,7 @@ constexpr eliminated solve_rows(M& a, const E& entry, int n, const elimination_s
     equilibrate(a, n, exponents, exponents + n);
     int shift = scale_right_side(n, right, exponents);
     eliminated result = eliminate_fully(a, n, column, largest_term, smallest_pivot(n));
-    if (result.kind != solvability::unique) {
+    if (result.status != system_status::ok) {
       for (int r = 0; r < n; ++r)
         for (int c = 0; c <= n; ++c) a(r, c) = entry(r, c);
       equilibrate(a, n, exponents, exponents + n, scaling::by_means);
@@ -187,7 +193,7 @@ constexpr eliminated solve_rows(M& a, const E& entry, int n, const elimination_s
       M noise = a;
       result = eliminate_certainly(a, noise, n, column, smallest_pivot(n));
     }
-    if (result.kind != solvability::unique) return result;
+    if (result.status != system_status::ok) return result;
     substitute<T>(a, n, column, x);
     scale_solution(n, shift, exponents + n, x);
     return result;
@@ -210,7 +216,7 @@ constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, c
       size = size + magnitude(term);
     }
     all &= magnitude(rest) <= product(size, 4 * 0x1p-53);
-    least = lesser(size, least);
+    least = minimum(size, least);
   }
   return all && (least >= 0x1p-400 || !has_small());
 }
@@ -220,7 +226,7 @@ template <Floating T, int N, class E, class P>
 constexpr system_solution<T, N> singular_solution(const E& entry, const P& is_regular) noexcept {
   const int rank = rank_by_minors<N - 1>(N, N, entry, is_regular);
   const bool is_consistent = rank_by_minors<N>(N, N + 1, entry, is_regular) == rank;
-  return {is_consistent ? solvability::dependent : solvability::inconsistent, rank, {}};
+  return {is_consistent ? system_status::dependent : system_status::inconsistent, rank, {}};
 }
 
 // What elimination found of up to four equations, or what they have under the best of all scalings where that may be
@@ -231,7 +237,7 @@ template <Floating T, int N, class E>
 IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system_solution<T, N>& found) noexcept {
   const exact_system<N, E> system(entry);
   if (!system.is_singular() && system.is_regular_within(smallest_pivot(N))) {
-    system_solution<T, N> s{solvability::unique, N, {}};
+    system_solution<T, N> s{system_status::ok, N, {}};
     for (int k = 0; k < N; ++k) s.x[k] = system.template component<T>(k);
     return s;
   }
@@ -254,7 +260,7 @@ constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noex
   const int shift = scale_right_side(N, [&](int i) -> double& { return rows(i, N); }, exponents);
   const mat<double, N, N + 1> scaled = rows;
   const eliminated result = eliminate_fully(rows, N, column, largest_term, smallest_pivot(N));
-  system_solution<T, N> found{result.kind, result.rank, {}};
+  system_solution<T, N> found{result.status, result.rank, {}};
   bool is_doubtful = sizes.may_hide_regular();
   if (found) {
     substitute<double>(rows, N, column, unknown);
@@ -305,12 +311,12 @@ template <Real T, int N, int M>
     const detail::eliminated found =
         detail::solve_rows(rows, entry, N, detail::elimination_space<W>{column, exponents, largest_term},
                            [&](int i) -> W& { return x[i]; });
-    s = {found.kind, found.rank, {}};
+    s = {found.status, found.rank, {}};
     if (s) s.x = generate_coordinates<vec<T, N>>([&](int i) { return converted<T>(x[i]); });
   }
   if constexpr (Floating<T>)
     for (int i = 0; i < N; ++i)
-      if (!is_finite(s.x[i])) return {solvability::not_finite, N, {}};
+      if (!is_finite(s.x[i])) return {system_status::not_finite, N, {}};
   return s;
 }
 

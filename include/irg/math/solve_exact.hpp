@@ -10,7 +10,7 @@
 namespace irg::inline IRG_ABI {
 
 /// The solution of a(i, 0) x_0 + ... = a(i, N) for the exact values of the numbers.
-/// gives   unique, dependent or inconsistent, never wrongly; not_finite when a number is NaN or infinite, or when a
+/// gives   ok, dependent or inconsistent, never wrongly; not_finite when a number is NaN or infinite, or when a
 ///         component of the solution is too large for T
 /// exact   the decision and the rank, for all finite numbers; each component of the solution is correctly rounded,
 ///         ties to even, subnormal ones too, however close to singular the system is
@@ -24,10 +24,10 @@ template <Floating T, int N, int M>
   const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const detail::exact_system<N, decltype(entry)> system(entry);
   if (system.is_singular()) return detail::singular_solution<T, N>(entry, detail::is_nonzero_minor);
-  system_solution<T, N> s{solvability::unique, N, {}};
+  system_solution<T, N> s{system_status::ok, N, {}};
   for (int k = 0; k < N; ++k) {
     s.x[k] = system.template component<T>(k);
-    if (!is_finite(s.x[k])) return {solvability::not_finite, N, {}};
+    if (!is_finite(s.x[k])) return {system_status::not_finite, N, {}};
   }
   return s;
 }

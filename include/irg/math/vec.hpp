@@ -205,6 +205,13 @@ template <class T, int N>
   return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - v[i]; });
 }
 
+/// Writes the coordinates, "(1, 2, 3)".
+template <class S, class V>
+  requires(detail::is_own<V>) && TextStream<S, scalar_of<V>>
+constexpr S& operator<<(S& stream, const V& v) {
+  return print_list(stream, size_of<V>, [&](int i) { return v[i]; });
+}
+
 /// The sum of the products of the coordinates.
 /// gives   no NaN for coordinates below 2^510 (float: 2^62) in size, up to eight of them; beyond, infinities may meet
 /// exact   each product and each sum rounded once, from the first coordinate to the last, never fused: the same bits

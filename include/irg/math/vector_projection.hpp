@@ -88,7 +88,7 @@ template <Vector A, Vector B>
   if (!detail::can_project(s, t) || s.scale == 0) return std::nullopt;
   const auto cosine = detail::divide(detail::unrounded_dot(s, t),
                                      detail::multiply(detail::unrounded_length(s), detail::unrounded_length(t)));
-  return converted<scalar_of<A>>(clamp(detail::round(cosine), -1.0, 1.0));
+  return converted<scalar_of<A>>(clamped(detail::round(cosine), -1.0, 1.0));
 }
 
 /// 1, 0 or -1 as the angle between two vectors is below, at or above a right angle; 0 when one is zero.

@@ -54,9 +54,9 @@ constexpr std::vector<mesh_side> sorted_sides(const M& m) {
     for (std::size_t k = 0, n = mesh_face_size(m, f); k < n; ++k)
       sides.push_back({mesh_face_vertex(m, f, k), mesh_face_vertex(m, f, k + 1 < n ? k + 1 : 0), f});
   std::sort(sides.begin(), sides.end(), [](const mesh_side& a, const mesh_side& b) {
-    const std::size_t low_a = lesser(a.from, a.to), low_b = lesser(b.from, b.to);
+    const std::size_t low_a = minimum(a.from, a.to), low_b = minimum(b.from, b.to);
     if (low_a != low_b) return low_a < low_b;
-    const std::size_t high_a = greater(a.from, a.to), high_b = greater(b.from, b.to);
+    const std::size_t high_a = maximum(a.from, a.to), high_b = maximum(b.from, b.to);
     return high_a != high_b ? high_a < high_b : a.from < b.from;
   });
   return sides;
@@ -108,10 +108,10 @@ private:
   constexpr bool is_surely_bent() const {
     constexpr std::size_t few = 4, some = 32;
     const std::size_t n = mesh_face_count(m_);
-    for (std::size_t i = 0; i < lesser(few, n); ++i) {
-      const std::size_t f = i * n / lesser(few, n);
-      for (std::size_t j = 0; j < lesser(some, n); ++j) {
-        const std::size_t g = j * n / lesser(some, n);
+    for (std::size_t i = 0; i < minimum(few, n); ++i) {
+      const std::size_t f = i * n / minimum(few, n);
+      for (std::size_t j = 0; j < minimum(some, n); ++j) {
+        const std::size_t g = j * n / minimum(some, n);
         if (mesh_face_size(m_, f) >= 3 && mesh_face_size(m_, g) >= 1 &&
             orient3d(at(f, 0), at(f, 1), at(f, 2), at(g, 0)) > 0)
           return true;

@@ -28,7 +28,7 @@ namespace irg::inline IRG_ABI {
 /// source  VRML 97, 4.6.3.5 (the crease angle)
 template <Floating T>
 constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight = normal_weight::angle) {
-  if (std::ranges::all_of(m.corners, [](const mesh_corner& c) { return c.normal != mesh_corner::none; })) return;
+  if (std::ranges::all_of(m.corners, [](const mesh_corner& c) { return c.normal != no_index; })) return;
   const std::size_t count = m.corners.size();
   std::vector<vec<double, 3>> unit(count, vec<double, 3>{}), weighted(count, vec<double, 3>{});
   const double scale = weight == normal_weight::area ? detail::area_scale(m) : 1;
@@ -51,18 +51,18 @@ constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight 
 
   std::vector<vec<double, 3>> sum(count, vec<double, 3>{});
   for (std::uint32_t c = 0; c < count; ++c) sum[groups.of(c)] += weighted[c];
-  std::vector<std::uint32_t> normal_of(count, mesh_corner::none);
+  std::vector<std::uint32_t> normal_of(count, no_index);
   std::vector<vec<T, 3>> added;  // the mesh is touched where there is memory for all of them
   for (std::uint32_t c = 0; c < count; ++c) {
     std::uint32_t& normal = normal_of[groups.of(c)];
-    if (m.corners[c].normal != mesh_corner::none || normal != mesh_corner::none) continue;
+    if (m.corners[c].normal != no_index || normal != no_index) continue;
     const vec<double, 3> n = normalized(sum[groups.of(c)]);
     normal = static_cast<std::uint32_t>(m.normals.size() + added.size());
     added.push_back(generate_coordinates<vec<T, 3>>([&](int i) { return converted<T>(n[i]); }));
   }
   m.normals.insert(m.normals.end(), added.begin(), added.end());
   for (std::uint32_t c = 0; c < count; ++c)
-    if (m.corners[c].normal == mesh_corner::none) m.corners[c].normal = normal_of[groups.of(c)];
+    if (m.corners[c].normal == no_index) m.corners[c].normal = normal_of[groups.of(c)];
 }
 
 }  // namespace irg::inline IRG_ABI

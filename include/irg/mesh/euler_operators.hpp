@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include <irg/mesh/half_edge_mesh.hpp>
 
@@ -28,14 +29,14 @@ constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v);
 /// A new vertex at p and an edge to it, from the vertex that `first` and `last` leave (mev). The half-edges from
 /// `first` on, clockwise seen from outside, up to the one before `last` leave the new vertex then; none when the two
 /// are the same: the edge stands free in the loop, before it.
-/// gives   the half-edge to the new vertex; none, and b as it was, when the two do not leave the same vertex
+/// gives   the half-edge to the new vertex; nothing, and b as it was, when the two do not leave the same vertex
 template <Scalar T>
-constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
-                                         const point<T, 3>& p);
+constexpr std::optional<std::uint32_t> make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
+                                                        const point<T, 3>& p);
 
 /// The same from a vertex without edges.
 template <Scalar T>
-constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from, const point<T, 3>& p);
+constexpr std::optional<std::uint32_t> make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from, const point<T, 3>& p);
 
 /// Undoes make_edge_vertex (kev): the edge goes with the vertex that h leads to, and what left that leaves h's origin.
 /// gives   false, and b as it was, when h is no half-edge or both its ends are the same vertex
@@ -45,9 +46,9 @@ constexpr bool kill_edge_vertex(half_edge_mesh<T>& b, std::uint32_t h);
 /// An edge from the vertex that `from` leaves to the one that `to` leaves, across their face (mef). The half-edges from
 /// `from` to the one before `to` bound the new face.
 /// shape   `from` and `to` are of one loop; the edge stands before both
-/// gives   the new half-edge in the old face; none, and b as it was, when the two are the same or of two loops
+/// gives   the new half-edge in the old face; nothing, and b as it was, when the two are the same or of two loops
 template <Scalar T>
-constexpr std::uint32_t make_edge_face(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to);
+constexpr std::optional<std::uint32_t> make_edge_face(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to);
 
 /// Undoes make_edge_face (kef): the edge goes, and what lies beyond it becomes part of the face of h, with its rings.
 /// gives   false, and b as it was, when the same face or a border is on both sides
@@ -56,27 +57,28 @@ constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h);
 
 /// Takes an edge away that has the same loop on both sides (kemr): the loop falls into two, one of which becomes a
 /// ring.
-/// gives   the ring, which is what follows h and comes first of its face's; none, and b as it was, when there are two
-///         loops beside the edge
+/// gives   the ring, which is what follows h and comes first of its face's; nothing, and b as it was, when there are
+///         two loops beside the edge
 template <Scalar T>
-constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t h);
+constexpr std::optional<std::uint32_t> kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t h);
 
 /// Undoes kill_edge_make_ring where that has left no lone vertex (mekr): an edge from the vertex that `from` leaves to
 /// the one that `to` leaves, of another loop of the same face, which becomes part of the loop of `from`.
-/// gives   the new half-edge, of which `to` comes next; none, and b as it was, when the two are of one loop or of two
-///         faces
+/// gives   the new half-edge, of which `to` comes next; nothing, and b as it was, when the two are of one loop or of
+///         two faces
 template <Scalar T>
-constexpr std::uint32_t make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to);
+constexpr std::optional<std::uint32_t> make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to);
 
 /// A face becomes a ring of another (kfmrh): joins two shells, or makes a hole through one.
-/// gives   the ring; none, and b as it was, when the two are the same or `face` has rings
+/// gives   the ring; nothing, and b as it was, when the two are the same or `face` has rings
 template <Scalar T>
-constexpr std::uint32_t kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face, std::uint32_t into);
+constexpr std::optional<std::uint32_t> kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face,
+                                                                std::uint32_t into);
 
 /// Undoes kill_face_make_ring_hole (mfkrh): a ring becomes the outer loop of a new face.
-/// gives   the face; none, and b as it was, when the loop is no ring
+/// gives   the face; nothing, and b as it was, when the loop is no ring
 template <Scalar T>
-constexpr std::uint32_t make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint32_t ring);
+constexpr std::optional<std::uint32_t> make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint32_t ring);
 
 }  // namespace irg::inline IRG_ABI
 
@@ -96,36 +98,35 @@ public:
     if (!b.attributes.empty()) make_room(b.attributes, b.half_edges.size() + 2);
     if (!b.parts.empty()) make_room(b.face_parts, b.faces.size() + 1);
   }
-  static constexpr std::uint32_t none = half_edge::none;
 
   constexpr bool is_edge(std::uint32_t h) const noexcept {
-    return h < b_.half_edges.size() && b_.half_edges[h].origin != none;
+    return h < b_.half_edges.size() && b_.half_edges[h].origin != no_index;
   }
-  constexpr bool is_face(std::uint32_t f) const noexcept { return f < b_.faces.size() && b_.faces[f] != none; }
+  constexpr bool is_face(std::uint32_t f) const noexcept { return f < b_.faces.size() && b_.faces[f] != no_index; }
   constexpr std::uint32_t& loop(std::uint32_t h) noexcept { return b_.half_edges[h].loop; }
 
   constexpr std::uint32_t add_vertex(const point<T, 3>& p) {
     b_.positions.push_back(p);
-    b_.half_edge_at.push_back(none);
+    b_.half_edge_at.push_back(no_index);
     return static_cast<std::uint32_t>(b_.positions.size() - 1);
   }
   constexpr std::uint32_t add_edge(std::uint32_t from, std::uint32_t to) {
     const auto h = static_cast<std::uint32_t>(b_.half_edges.size());
-    b_.half_edges.push_back({from, none, none, none});
-    b_.half_edges.push_back({to, none, none, none});
+    b_.half_edges.push_back({from, no_index, no_index, no_index});
+    b_.half_edges.push_back({to, no_index, no_index, no_index});
     if (!b_.attributes.empty()) b_.attributes.resize(b_.half_edges.size(), half_edge_attributes{});
     return h;
   }
   constexpr std::uint32_t add_loop(std::uint32_t first, std::uint32_t face) {
-    b_.loops.push_back({first, face, none});
+    b_.loops.push_back({first, face, no_index});
     return static_cast<std::uint32_t>(b_.loops.size() - 1);
   }
   constexpr std::uint32_t add_face(std::uint32_t loop, std::uint32_t like) {
     b_.faces.push_back(loop);
     const auto f = static_cast<std::uint32_t>(b_.faces.size() - 1);
     if (!b_.parts.empty()) {
-      b_.face_parts.resize(b_.faces.size(), none);
-      if (like != none) b_.face_parts[f] = b_.face_parts[like];
+      b_.face_parts.resize(b_.faces.size(), no_index);
+      if (like != no_index) b_.face_parts[f] = b_.face_parts[like];
     }
     b_.loops[loop].face = f;
     return f;
@@ -159,7 +160,7 @@ public:
     std::uint32_t* at = &b_.faces[b_.loops[l].face];
     while (*at != l) at = &b_.loops[*at].next;
     *at = b_.loops[l].next;
-    b_.loops[l].next = none;
+    b_.loops[l].next = no_index;
   }
   // A loop, and those that follow it, come next to the face's outer one: its other rings, of which there may be many,
   // are not gone through.
@@ -168,15 +169,15 @@ public:
     const std::uint32_t others = first;
     first = l;
     std::uint32_t last = l;
-    for (; l != none; l = b_.loops[l].next) {
+    for (; l != no_index; l = b_.loops[l].next) {
       b_.loops[l].face = face;
       last = l;
     }
     b_.loops[last].next = others;
   }
   constexpr void make_lone(std::uint32_t l, std::uint32_t v) {
-    b_.loops[l].first = none;
-    b_.half_edge_at[v] = none;
+    b_.loops[l].first = no_index;
+    b_.half_edge_at[v] = no_index;
     b_.lone_vertices.push_back({l, v});
   }
   // The place of the loop's vertex in the list, or its end.
@@ -207,8 +208,8 @@ namespace irg::inline IRG_ABI {
 template <Scalar T>
 constexpr lone_vertex make_shell(half_edge_mesh<T>& b, const point<T, 3>& p) {
   detail::euler_editor<T> edit(b);
-  const std::uint32_t v = edit.add_vertex(p), l = edit.add_loop(half_edge::none, half_edge::none);
-  edit.add_face(l, half_edge::none);
+  const std::uint32_t v = edit.add_vertex(p), l = edit.add_loop(no_index, no_index);
+  edit.add_face(l, no_index);
   edit.make_lone(l, v);
   return {l, v};
 }
@@ -219,19 +220,19 @@ constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v) {
   const std::size_t i = edit.lone_place(v);
   if (i == b.lone_vertices.size()) return false;
   const std::uint32_t f = b.loops[v.loop].face;
-  if (b.faces[f] != v.loop || b.loops[v.loop].next != half_edge::none) return false;
+  if (b.faces[f] != v.loop || b.loops[v.loop].next != no_index) return false;
   edit.forget_lone(i);
   edit.remove_vertex(v.vertex);
   b.loops[v.loop] = half_edge_loop{};
-  b.faces[f] = half_edge::none;
+  b.faces[f] = no_index;
   return true;
 }
 
 template <Scalar T>
-constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
-                                         const point<T, 3>& p) {
+constexpr std::optional<std::uint32_t> make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
+                                                        const point<T, 3>& p) {
   detail::euler_editor<T> edit(b);
-  if (!edit.is_edge(first) || !edit.is_edge(last) || b.origin(first) != b.origin(last)) return half_edge::none;
+  if (!edit.is_edge(first) || !edit.is_edge(last) || b.origin(first) != b.origin(last)) return std::nullopt;
   const std::uint32_t v = b.origin(first), w = edit.add_vertex(p), there = edit.add_edge(v, w), back = there + 1;
   for (std::uint32_t h = first; h != last; h = b.next(b.twin(h))) b.half_edges[h].origin = w;
   const std::uint32_t before_first = b.previous(first), before_last = b.previous(last);
@@ -249,10 +250,10 @@ constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t fir
 }
 
 template <Scalar T>
-constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from, const point<T, 3>& p) {
+constexpr std::optional<std::uint32_t> make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from, const point<T, 3>& p) {
   detail::euler_editor<T> edit(b);
   const std::size_t i = edit.lone_place(from);
-  if (i == b.lone_vertices.size()) return half_edge::none;
+  if (i == b.lone_vertices.size()) return std::nullopt;
   edit.forget_lone(i);
   const std::uint32_t w = edit.add_vertex(p), there = edit.add_edge(from.vertex, w), back = there + 1;
   edit.link(there, back, there);
@@ -270,7 +271,7 @@ constexpr bool kill_edge_vertex(half_edge_mesh<T>& b, std::uint32_t h) {
   const std::uint32_t v = b.origin(h), w = b.target(h), back = b.twin(h);
   each_half_edge_at(b, w, [&](std::uint32_t g) { b.half_edges[g].origin = v; });
   const std::uint32_t loops[2] = {edit.loop(h), edit.loop(back)};
-  std::uint32_t left = half_edge::none;  // a half-edge that leaves v
+  std::uint32_t left = no_index;  // a half-edge that leaves v
   for (const std::uint32_t g : {h, back})
     if (b.next(g) != b.twin(g) && b.origin(b.next(g)) == v) left = b.next(g);
   if (b.next(h) == back && b.next(back) == h) {
@@ -289,15 +290,15 @@ constexpr bool kill_edge_vertex(half_edge_mesh<T>& b, std::uint32_t h) {
 }
 
 template <Scalar T>
-constexpr std::uint32_t make_edge_face(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to) {
+constexpr std::optional<std::uint32_t> make_edge_face(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to) {
   detail::euler_editor<T> edit(b);
-  if (from == to || !edit.is_edge(from) || !edit.is_edge(to)) return half_edge::none;
+  if (from == to || !edit.is_edge(from) || !edit.is_edge(to)) return std::nullopt;
   const std::uint32_t l = edit.loop(from);
-  if (l == half_edge::none || l != edit.loop(to)) return half_edge::none;
+  if (l == no_index || l != edit.loop(to)) return std::nullopt;
   const std::uint32_t there = edit.add_edge_across(from, to), back = there + 1;
   edit.loop(there) = l;
   b.loops[l].first = there;
-  const std::uint32_t added = edit.add_loop(back, half_edge::none);
+  const std::uint32_t added = edit.add_loop(back, no_index);
   edit.add_face(added, b.loops[l].face);
   edit.give_loop(back, added);
   return there;
@@ -308,12 +309,11 @@ constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
   detail::euler_editor<T> edit(b);
   if (!edit.is_edge(h)) return false;
   const std::uint32_t back = b.twin(h), keep = b.face(h), drop = b.face(back);
-  if (keep == half_edge::none || drop == half_edge::none || keep == drop || b.faces[drop] != edit.loop(back))
-    return false;
+  if (keep == no_index || drop == no_index || keep == drop || b.faces[drop] != edit.loop(back)) return false;
   const std::uint32_t l = edit.loop(h), gone = edit.loop(back), after = b.next(back), next = b.next(h);
   edit.take_off(gone);
-  if (b.faces[drop] != half_edge::none) edit.add_rings(keep, b.faces[drop]);
-  b.faces[drop] = half_edge::none;
+  if (b.faces[drop] != no_index) edit.add_rings(keep, b.faces[drop]);
+  b.faces[drop] = no_index;
   b.loops[gone] = half_edge_loop{};
   const std::uint32_t before = b.previous(h), before_back = b.previous(back);
   const bool was_round = next == h, was_round_back = after == back;  // an edge from a vertex to itself
@@ -328,7 +328,7 @@ constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
     if (!was_round) b.half_edge_at[w] = next;
     if (was_round) edit.link(before_back, after);
     if (was_round_back) edit.link(before, next);
-    edit.loop(first) = half_edge::none;  // so that going round begins
+    edit.loop(first) = no_index;  // so that going round begins
     edit.give_loop(first, l);
   }
   edit.remove_edge(h);
@@ -336,14 +336,14 @@ constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
 }
 
 template <Scalar T>
-constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t h) {
+constexpr std::optional<std::uint32_t> kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t h) {
   detail::euler_editor<T> edit(b);
-  if (!edit.is_edge(h)) return half_edge::none;
+  if (!edit.is_edge(h)) return std::nullopt;
   const std::uint32_t back = b.twin(h), l = edit.loop(h);
-  if (l == half_edge::none || l != edit.loop(back)) return half_edge::none;
+  if (l == no_index || l != edit.loop(back)) return std::nullopt;
   const std::uint32_t v = b.origin(h), w = b.origin(back), f = b.loops[l].face;
   const std::uint32_t before = b.previous(h), after = b.next(back), next = b.next(h), before_back = b.previous(back);
-  const std::uint32_t ring = edit.add_loop(half_edge::none, f);
+  const std::uint32_t ring = edit.add_loop(no_index, f);
   edit.add_rings(f, ring);
   if (next == back) {
     edit.make_lone(ring, w);
@@ -364,11 +364,11 @@ constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t 
 }
 
 template <Scalar T>
-constexpr std::uint32_t make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to) {
+constexpr std::optional<std::uint32_t> make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to) {
   detail::euler_editor<T> edit(b);
-  if (!edit.is_edge(from) || !edit.is_edge(to)) return half_edge::none;
+  if (!edit.is_edge(from) || !edit.is_edge(to)) return std::nullopt;
   const std::uint32_t f = b.face(from);
-  if (f == half_edge::none || f != b.face(to) || edit.loop(from) == edit.loop(to)) return half_edge::none;
+  if (f == no_index || f != b.face(to) || edit.loop(from) == edit.loop(to)) return std::nullopt;
   const bool is_outer = b.faces[f] == edit.loop(to);
   const std::uint32_t keep = edit.loop(from), ring = edit.loop(to);
   edit.take_off(ring);
@@ -384,22 +384,23 @@ constexpr std::uint32_t make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t 
 }
 
 template <Scalar T>
-constexpr std::uint32_t kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face, std::uint32_t into) {
+constexpr std::optional<std::uint32_t> kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face,
+                                                                std::uint32_t into) {
   detail::euler_editor<T> edit(b);
-  if (face == into || !edit.is_face(face) || !edit.is_face(into)) return half_edge::none;
+  if (face == into || !edit.is_face(face) || !edit.is_face(into)) return std::nullopt;
   const std::uint32_t l = b.faces[face];
-  if (b.loops[l].next != half_edge::none) return half_edge::none;
-  b.faces[face] = half_edge::none;
+  if (b.loops[l].next != no_index) return std::nullopt;
+  b.faces[face] = no_index;
   edit.add_rings(into, l);
   return l;
 }
 
 template <Scalar T>
-constexpr std::uint32_t make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint32_t ring) {
+constexpr std::optional<std::uint32_t> make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint32_t ring) {
   detail::euler_editor<T> edit(b);
-  if (ring >= b.loops.size() || b.loops[ring].face == half_edge::none) return half_edge::none;
+  if (ring >= b.loops.size() || b.loops[ring].face == no_index) return std::nullopt;
   const std::uint32_t f = b.loops[ring].face;
-  if (b.faces[f] == ring) return half_edge::none;
+  if (b.faces[f] == ring) return std::nullopt;
   edit.take_off(ring);
   return edit.add_face(ring, f);
 }

@@ -70,12 +70,12 @@ constexpr polygon_edges<Position> edges_of(std::size_t count, const Position& po
     for (int i = 0; i < 3; ++i) {
       const double size = magnitude(widened(coordinate(position(k), i)));
       if (!is_finite(size)) return {count, position, 1, 0};
-      reach = greater(reach, size);
+      reach = maximum(reach, size);
     }
   if (reach > 0x1p1022) edges.before = 0.25;  // else the difference of two finite numbers could be infinite
   for (std::size_t k = 1; k < count; ++k) {
     const vec<double, 3> v = edges(0, k);
-    for (int i = 0; i < 3; ++i) largest = greater(largest, magnitude(v[i]));
+    for (int i = 0; i < 3; ++i) largest = maximum(largest, magnitude(v[i]));
   }
   edges.after = largest > 0 ? normalizing_power_of_two(largest) : 0;
   return edges;

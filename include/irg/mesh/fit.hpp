@@ -29,7 +29,7 @@ struct fit {
   point<T, 3> centre;
   T scale = 1;
   fit_status status = fit_status::empty;
-  constexpr bool operator==(const fit&) const = default;
+  bool operator==(const fit&) const = default;
 };
 
 /// Where a fitted body goes: p -> p * scale + position.
@@ -37,7 +37,7 @@ template <Floating T>
 struct placement {
   T scale = 1;
   point<T, 3> position;
-  constexpr bool operator==(const placement&) const = default;
+  bool operator==(const placement&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -49,11 +49,11 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 7.2: centre (max + min)/2, scale 2/max(size)
 template <Floating T>
 [[nodiscard]] constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
-  if (is_empty(extents)) return {};
+  if (extents.empty()) return {};
   T half_size = 0;
   for (int i = 0; i < 3; ++i) {
     if (!is_finite(extents.low[i]) || !is_finite(extents.high[i])) return {{}, 1, fit_status::not_finite};
-    half_size = greater(half_size, extents.high[i] / 2 - extents.low[i] / 2);
+    half_size = maximum(half_size, extents.high[i] / 2 - extents.low[i] / 2);
   }
   const bool has_scale = half_size > 1 / (std::numeric_limits<T>::max)();
   return {centre(extents), has_scale ? 1 / half_size : T(1), has_scale ? fit_status::ok : fit_status::all_sizes_zero};

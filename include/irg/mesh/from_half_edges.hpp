@@ -17,6 +17,7 @@ namespace irg {
 struct half_edge_shells {
   std::vector<std::uint32_t> of_face;  // from 0; none for faces that are no more
   std::uint32_t count = 0;
+  bool operator==(const half_edge_shells&) const = default;
 };
 
 /// The numbers of elements of a boundary representation.
@@ -25,7 +26,7 @@ struct half_edge_shells {
 struct half_edge_counts {
   std::size_t vertices = 0, edges = 0, faces = 0, rings = 0, shells = 0, borders = 0;
   std::ptrdiff_t genus = 0;
-  constexpr bool operator==(const half_edge_counts&) const = default;
+  bool operator==(const half_edge_counts&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -46,10 +47,10 @@ template <Floating T>
 /// cost    linear
 template <Scalar T>
 [[nodiscard]] constexpr half_edge_shells shells_of(const half_edge_mesh<T>& b) {
-  half_edge_shells out{std::vector<std::uint32_t>(b.faces.size(), half_edge::none), 0};
+  half_edge_shells out{std::vector<std::uint32_t>(b.faces.size(), no_index), 0};
   std::vector<std::uint32_t> open;
   for (std::uint32_t f = 0; f < b.faces.size(); ++f) {
-    if (out.of_face[f] != half_edge::none || b.faces[f] == half_edge::none) continue;
+    if (out.of_face[f] != no_index || b.faces[f] == no_index) continue;
     out.of_face[f] = out.count;
     open.push_back(f);
     while (!open.empty()) {
@@ -58,7 +59,7 @@ template <Scalar T>
       each_loop_of(b, at, [&](std::uint32_t l) {
         each_half_edge_of(b, l, [&](std::uint32_t h) {
           const std::uint32_t beside = b.face(b.twin(h));
-          if (beside == half_edge::none || out.of_face[beside] != half_edge::none) return;
+          if (beside == no_index || out.of_face[beside] != no_index) return;
           out.of_face[beside] = out.count;
           open.push_back(beside);
         });
@@ -81,14 +82,14 @@ template <Scalar T>
     n.vertices += b.half_edge_at[v] < half_edge_mesh<T>::gone ? 1u : 0u;
   n.vertices += b.lone_vertices.size();
   for (std::uint32_t h = 0; h < b.half_edges.size(); ++h) {
-    if (b.half_edges[h].origin == half_edge::none) continue;
+    if (b.half_edges[h].origin == no_index) continue;
     n.edges += h % 2;
-    if (b.half_edges[h].loop != half_edge::none || seen[h] != 0) continue;
+    if (b.half_edges[h].loop != no_index || seen[h] != 0) continue;
     ++n.borders;
     for (std::uint32_t g = h; seen[g] == 0; g = b.next(g)) seen[g] = 1;
   }
   for (std::uint32_t f = 0; f < b.faces.size(); ++f) {
-    if (b.faces[f] == half_edge::none) continue;
+    if (b.faces[f] == no_index) continue;
     ++n.faces;
     each_loop_of(b, f, [&](std::uint32_t l) { n.rings += l != b.faces[f] ? 1u : 0u; });
   }
@@ -133,7 +134,7 @@ constexpr std::vector<std::uint32_t> triangles_of_ringed_face(const half_edge_me
 // Appends one face to a mesh, as it is or, with rings, as triangles.
 template <Scalar T, class Corner>
 constexpr void append_face(mesh<T>& m, const half_edge_mesh<T>& b, std::uint32_t face, const Corner& corner) {
-  if (b.loops[b.faces[face]].next != half_edge::none) {
+  if (b.loops[b.faces[face]].next != no_index) {
     for (const std::uint32_t h : triangles_of_ringed_face(b, face)) {
       m.corners.push_back(corner(h));
       if ((m.corners.size() - m.face_starts.back()) % 3 == 0)
@@ -158,7 +159,7 @@ template <Floating T>
   mesh<T> m;
   m.normals = b.normals;
   m.texcoords = b.texcoords;
-  std::vector<std::uint32_t> number(b.positions.size(), half_edge::none);
+  std::vector<std::uint32_t> number(b.positions.size(), no_index);
   for (std::size_t v = 0; v < b.positions.size(); ++v) {
     if (b.half_edge_at[v] == half_edge_mesh<T>::gone) continue;
     number[v] = static_cast<std::uint32_t>(m.positions.size());
@@ -181,7 +182,7 @@ template <Floating T>
   for (std::size_t i = 0, k = 0; i <= parts; ++i) {
     const std::size_t first = m.face_count();
     for (; k < start[i]; ++k)
-      if (b.faces[order[k]] != half_edge::none) detail::append_face(m, b, order[k], corner);
+      if (b.faces[order[k]] != no_index) detail::append_face(m, b, order[k], corner);
     const std::size_t count = m.face_count() - first;
     if (i < parts)
       m.parts.push_back({b.parts[i].object, b.parts[i].group, b.parts[i].material, first, count});

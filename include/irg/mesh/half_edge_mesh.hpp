@@ -15,28 +15,31 @@ namespace irg {
 
 /// One of the two sides of an edge, in the direction in which its loop runs.
 struct half_edge {
-  static constexpr std::uint32_t none = no_index;
-  std::uint32_t origin = none;  // the vertex that it leaves
-  std::uint32_t next = none, previous = none;  // in its loop
-  std::uint32_t loop = none;  // none beside the border of an open surface
-  constexpr bool operator==(const half_edge&) const = default;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  std::uint32_t origin = no_index;  // the vertex that it leaves
+  std::uint32_t next = no_index, previous = no_index;  // in its loop
+  std::uint32_t loop = no_index;  // none beside the border of an open surface
+  bool operator==(const half_edge&) const = default;
 };
 
 /// A closed walk that bounds a face: the outer one, or a ring round a hole.
 struct half_edge_loop {
-  std::uint32_t first = half_edge::none;  // one of its half-edges; none for a loop that is a lone vertex
-  std::uint32_t face = half_edge::none;  // none when the loop is no more
-  std::uint32_t next = half_edge::none;  // the face's next ring
+  std::uint32_t first = no_index;  // one of its half-edges; none for a loop that is a lone vertex
+  std::uint32_t face = no_index;  // none when the loop is no more
+  std::uint32_t next = no_index;  // the face's next ring
+  bool operator==(const half_edge_loop&) const = default;
 };
 
 /// A loop without half-edges: one vertex in a face.
 struct lone_vertex {
-  std::uint32_t loop = half_edge::none, vertex = half_edge::none;
+  std::uint32_t loop = no_index, vertex = no_index;
+  bool operator==(const lone_vertex&) const = default;
 };
 
 /// What a corner has besides its position: indices into normals and texcoords.
 struct half_edge_attributes {
-  std::uint32_t normal = half_edge::none, texcoord = half_edge::none;
+  std::uint32_t normal = no_index, texcoord = no_index;
+  bool operator==(const half_edge_attributes&) const = default;
 };
 
 /// Vertices, edges, loops and faces, each known by its number. Half-edges 2e and 2e + 1 are the sides of edge e.
@@ -44,8 +47,8 @@ struct half_edge_attributes {
 ///         half_edges with origin none, half_edge_at with gone, loops without a face, faces without a loop (0xffffffff)
 template <Scalar T>
 struct half_edge_mesh {
-  static constexpr std::uint32_t none = half_edge::none;
-  static constexpr std::uint32_t gone = none - 1;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  static constexpr std::uint32_t gone = no_index - 1;
 
   std::vector<point<T, 3>> positions;
   std::vector<std::uint32_t> half_edge_at;  // for each vertex one that leaves it, or none
@@ -72,12 +75,13 @@ struct half_edge_mesh {
   }
   /// The face to the left of h, seen from outside; none beside a border.
   [[nodiscard]] IRG_INLINE constexpr std::uint32_t face(std::uint32_t h) const noexcept {
-    return half_edges[h].loop == none ? none : loops[half_edges[h].loop].face;
+    return half_edges[h].loop == no_index ? no_index : loops[half_edges[h].loop].face;
   }
   /// The next half-edge that leaves the same vertex, counter-clockwise seen from outside.
   [[nodiscard]] IRG_INLINE constexpr std::uint32_t next_around(std::uint32_t h) const noexcept {
     return twin(half_edges[h].previous);
   }
+  bool operator==(const half_edge_mesh&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -101,7 +105,7 @@ IRG_INLINE constexpr void each_half_edge_at(const half_edge_mesh<T>& b, std::uin
 template <Scalar T, class Use>
 IRG_INLINE constexpr void each_half_edge_of(const half_edge_mesh<T>& b, std::uint32_t loop, const Use& use) {
   const std::uint32_t first = b.loops[loop].first;
-  if (first == half_edge::none) return;
+  if (first == no_index) return;
   std::uint32_t h = first;
   do {
     use(h);
@@ -113,7 +117,7 @@ IRG_INLINE constexpr void each_half_edge_of(const half_edge_mesh<T>& b, std::uin
 /// needs   a face of b that is still there
 template <Scalar T, class Use>
 IRG_INLINE constexpr void each_loop_of(const half_edge_mesh<T>& b, std::uint32_t face, const Use& use) {
-  for (std::uint32_t l = b.faces[face]; l != half_edge::none; l = b.loops[l].next) use(l);
+  for (std::uint32_t l = b.faces[face]; l != no_index; l = b.loops[l].next) use(l);
 }
 
 }  // namespace IRG_ABI

@@ -17,11 +17,12 @@
 namespace irg {
 
 /// Vertices that differ in position, normal or texture coordinate, and triangles of them.
-/// shape   each vertex is a corner of the mesh: the indices of its three parts there, mesh_corner::none for what it
+/// shape   each vertex is a corner of the mesh: the indices of its three parts there, no_index for what it
 ///         lacks
 struct merged_vertices {
   std::vector<mesh_corner> vertices;
   std::vector<triangle_indices> triangles;
+  bool operator==(const merged_vertices&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -44,8 +45,8 @@ template <Floating T>
   for (std::uint32_t i = 0; i < order.size(); ++i) {
     mesh_corner& c = corners[i];
     c.position = positions[c.position];
-    if (c.normal != mesh_corner::none) c.normal = normals[c.normal];
-    if (c.texcoord != mesh_corner::none) c.texcoord = texcoords[c.texcoord];
+    if (c.normal != no_index) c.normal = normals[c.normal];
+    if (c.texcoord != no_index) c.texcoord = texcoords[c.texcoord];
     order[i] = i;
   }
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -14,20 +14,24 @@
 
 namespace irg {
 
-/// One corner of a face: indices into positions, normals and texcoords.
+/// One corner of a face: indices into positions, normals and texcoords. Ordered by these, in this order.
 struct mesh_corner {
-  static constexpr std::uint32_t none = no_index;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
   std::uint32_t position = 0;
-  std::uint32_t normal = none;
-  std::uint32_t texcoord = none;
-  constexpr bool operator==(const mesh_corner&) const = default;
+  std::uint32_t normal = no_index;
+  std::uint32_t texcoord = no_index;
+  bool operator==(const mesh_corner&) const = default;
+  IRG_INLINE constexpr bool operator<(const mesh_corner& o) const noexcept {
+    if (position != o.position) return position < o.position;
+    return normal != o.normal ? normal < o.normal : texcoord < o.texcoord;
+  }
 };
 
 /// A named run of faces: an object, a group or a stretch of one material.
 struct mesh_part {
   part_name object, group, material;
   std::size_t first_face = 0, face_count = 0;
-  constexpr bool operator==(const mesh_part&) const = default;
+  bool operator==(const mesh_part&) const = default;
 };
 
 /// Polygons that share their positions.
@@ -73,8 +77,7 @@ inline namespace IRG_ABI {
 /// needs   three or more indices, each < positions.size()
 template <class T, class Indices>
 constexpr void add_face(mesh<T>& m, const Indices& positions) {
-  for (const auto i : positions)
-    m.corners.push_back({static_cast<std::uint32_t>(i), mesh_corner::none, mesh_corner::none});
+  for (const auto i : positions) m.corners.push_back({static_cast<std::uint32_t>(i), no_index, no_index});
   m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
 /// The same of indices in braces: add_face(m, {0, 1, 2}).
@@ -85,3 +88,13 @@ constexpr void add_face(mesh<T>& m, const Index (&positions)[N]) {
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+/// The hash of a corner, for std::unordered_map and its like.
+template <>
+struct std::hash<irg::mesh_corner> {
+  IRG_INLINE constexpr std::size_t operator()(const irg::mesh_corner& c) const noexcept {
+    const std::uint64_t position = c.position, texcoord = c.texcoord;
+    const std::uint64_t h = (position << 32 | c.normal) * 0x9e3779b97f4a7c15u + texcoord * 0xc2b2ae3d27d4eb4fu;
+    return static_cast<std::size_t>(h ^ h >> 32);
+  }
+};

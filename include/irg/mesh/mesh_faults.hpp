@@ -31,7 +31,7 @@ enum class mesh_fault_kind {
 struct mesh_fault {
   mesh_fault_kind kind{};
   std::uint32_t a = 0, b = 0, c = 0, d = 0;  // see mesh_fault_kind
-  constexpr bool operator==(const mesh_fault&) const = default;
+  bool operator==(const mesh_fault&) const = default;
 };
 
 /// A sentence without a full stop.

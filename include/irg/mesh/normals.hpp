@@ -172,7 +172,7 @@ constexpr double area_scale(const M& m) noexcept {
   for (std::size_t v = 0; v < mesh_traits<M>::vertex_count(m); ++v)
     for (int i = 0; i < 3; ++i) {
       const double size = magnitude(widened(coordinate(mesh_traits<M>::position(m, v), i)));
-      if (is_finite(size)) largest = greater(largest, size);
+      if (is_finite(size)) largest = maximum(largest, size);
     }
   return largest > 0 ? normalizing_power_of_two(largest) : 1;
 }

@@ -23,12 +23,14 @@ namespace irg {
 /// How finely a plane grid is cut.
 struct grid_options {
   int columns = 10, rows = 10;  // cells along x and z; taken as 1 if less, as 4096 if more
+  bool operator==(const grid_options&) const = default;
 };
 
 /// How finely a sphere is cut: columns around the axis and layers from pole to pole.
 struct sphere_options {
   int slices = 32;  // taken as 3 if less, as 4096 if more
   int stacks = 16;  // taken as 2 if less, as 4096 if more
+  bool operator==(const sphere_options&) const = default;
 };
 
 /// The size of a torus and how finely it is cut: around the axis (major) and around the tube (minor).
@@ -36,6 +38,7 @@ template <Floating T>
 struct torus_options {
   T major_radius = 1, minor_radius = T(0.4);
   int major_segments = 48, minor_segments = 24;  // taken as 3 if less, as 4096 if more
+  bool operator==(const torus_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -48,7 +51,7 @@ constexpr void add_triangles(mesh<T>& m, const char (&digits)[N], std::size_t pe
     if (digits[k] == ' ') continue;
     const int position = digits[k] <= '9' ? digits[k] - '1' : digits[k] - 'A' + 9;
     const auto normal = static_cast<std::uint32_t>(m.corners.size() / (3 * per_normal));
-    m.corners.push_back({static_cast<std::uint32_t>(position), normal, mesh_corner::none});
+    m.corners.push_back({static_cast<std::uint32_t>(position), normal, no_index});
     if (m.corners.size() % 3 == 0) m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
   }
 }
@@ -153,14 +156,14 @@ template <Floating T>
 /// exact   coordinates rounded once; mirror images in the coordinate planes are exact
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_grid(const grid_options& options = {}) {
-  const int columns = clamp(options.columns, 1, 4096), rows = clamp(options.rows, 1, 4096);
+  const int columns = clamped(options.columns, 1, 4096), rows = clamped(options.rows, 1, 4096);
   const auto place = [](int k, int n) { return static_cast<T>(2 * k - n) / static_cast<T>(n); };
   mesh<T> m;
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i) m.positions.push_back({place(i, columns), T(0), place(j, rows)});
   m.normals = {{T(0), T(1), T(0)}};
   const auto corner = [&](int i, int j) {
-    m.corners.push_back({static_cast<std::uint32_t>(j * (columns + 1) + i), 0, mesh_corner::none});
+    m.corners.push_back({static_cast<std::uint32_t>(j * (columns + 1) + i), 0, no_index});
   };
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
@@ -179,7 +182,7 @@ template <Floating T>
 ///         exact where slices is even (x, z by 4) and stacks any number
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_sphere(const sphere_options& options = {}) {
-  const int slices = clamp(options.slices, 3, 4096), stacks = clamp(options.stacks, 2, 4096);
+  const int slices = clamped(options.slices, 3, 4096), stacks = clamped(options.stacks, 2, 4096);
   mesh<T> m;
   detail::add_rings(m, slices, stacks, detail::ring_end::pole, detail::ring_end::pole, [&](int i, int j) {
     const vec<double, 2> across = detail::circle_point(i, slices), down = detail::circle_point(j, 2 * stacks);
@@ -196,8 +199,8 @@ template <Floating T>
 /// exact   positions within 4u*(major_radius + minor_radius), normals within 3u of length 1
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
-  const int major = clamp(options.major_segments, 3, 4096);
-  const int minor = clamp(options.minor_segments, 3, 4096);
+  const int major = clamped(options.major_segments, 3, 4096);
+  const int minor = clamped(options.minor_segments, 3, 4096);
   const double ring_radius = widened(options.major_radius), tube_radius = widened(options.minor_radius);
   mesh<T> m;
   detail::add_rings(m, major, minor, detail::ring_end::closed, detail::ring_end::closed, [&](int i, int j) {
@@ -219,7 +222,7 @@ template <Floating T>
 /// exact   positions within 3u of the radius; lids are plane, sides nearly
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32) {
-  slices = clamp(slices, 3, 4096);
+  slices = clamped(slices, 3, 4096);
   mesh<T> m;
   std::vector<std::uint32_t> lower, upper;
   for (std::size_t k = 0; k < profile.size(); ++k) {

@@ -23,6 +23,7 @@ enum class teapot_bottom { without, with };
 struct teapot_options {
   int subdivisions = 10;  // cells along each side of a patch; taken as 1 if less, as 1024 if more
   teapot_bottom bottom = teapot_bottom::with;
+  bool operator==(const teapot_options&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -186,7 +187,7 @@ template <Real T>
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> shape_teapot(const teapot_options& options) {
   using detail::ring_end;
-  const int n = clamp(options.subdivisions, 1, 1024);
+  const int n = clamped(options.subdivisions, 1, 1024);
   mesh<T> m;
   if (options.bottom == teapot_bottom::with)
     detail::add_teapot_part(m, n, detail::teapot_body, 4, 4, ring_end::open, ring_end::pole);

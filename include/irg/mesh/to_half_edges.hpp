@@ -36,12 +36,12 @@ public:
 
   constexpr explicit half_edge_builder(const mesh<T>& m) {
     made.positions = m.positions;
-    made.half_edge_at.assign(m.positions.size(), half_edge::none);
+    made.half_edge_at.assign(m.positions.size(), no_index);
     made.half_edges.reserve(m.corners.size());
     made.loops.reserve(m.face_count());
     made.faces.reserve(m.face_count());
     next_in_list_.reserve(m.corners.size() / 2);
-    list_of_.assign(m.positions.size(), half_edge::none);
+    list_of_.assign(m.positions.size(), no_index);
     most_steps_ = 8 * m.corners.size() + 64;
     const bool has_attributes = !m.normals.empty() || !m.texcoords.empty();
     for (std::uint32_t f = 0; f < m.face_count(); ++f) {
@@ -51,10 +51,10 @@ public:
       if (is_slow()) {  // many edges at one vertex: from the beginning
         degree_.assign(m.positions.size(), 0);
         for (const mesh_corner& c : m.corners) ++degree_[c.position];
-        list_of_.assign(m.positions.size(), half_edge::none);
+        list_of_.assign(m.positions.size(), no_index);
         next_in_list_.clear(), made.half_edges.clear(), made.loops.clear(), made.faces.clear();
         made.attributes.clear();
-        f = half_edge::none;  // 0 comes next
+        f = no_index;  // 0 comes next
         continue;
       }
       if (status != half_edge_status::ok) return;
@@ -82,7 +82,7 @@ private:
     }
     made.half_edges[last].previous = before;
     made.half_edges[before].next = last;
-    made.loops.push_back({first, f, half_edge::none});
+    made.loops.push_back({first, f, no_index});
     made.faces.push_back(f);
   }
 
@@ -95,22 +95,21 @@ private:
   // The half-edge of loop l from a to b: the other side of an edge that waits, or one of a new edge.
   IRG_INLINE constexpr std::uint32_t half_edge_along(std::uint32_t a, std::uint32_t b, std::uint32_t l) {
     std::uint32_t& list = list_of_[goes_by(a, b) ? a : b];
-    for (std::uint32_t* e = &list; *e != half_edge::none; e = &next_in_list_[*e]) {
+    for (std::uint32_t* e = &list; *e != no_index; e = &next_in_list_[*e]) {
       ++steps_;
       half_edge &there = made.half_edges[2 * std::size_t{*e}], &back = made.half_edges[2 * std::size_t{*e} + 1];
       if (there.origin == b && back.origin == a) {
-        if (back.loop != half_edge::none) status = half_edge_status::edge_of_many_faces;
+        if (back.loop != no_index) status = half_edge_status::edge_of_many_faces;
         back.loop = l;
         return 2 * *e + 1;
       }
       if (there.origin == a && back.origin == b)
-        status =
-            back.loop == half_edge::none ? half_edge_status::faces_turned_apart : half_edge_status::edge_of_many_faces;
+        status = back.loop == no_index ? half_edge_status::faces_turned_apart : half_edge_status::edge_of_many_faces;
     }
     if (a == b) status = half_edge_status::corner_repeated;
     const auto h = static_cast<std::uint32_t>(made.half_edges.size());
-    made.half_edges.push_back({a, half_edge::none, half_edge::none, l});
-    made.half_edges.push_back({b, half_edge::none, half_edge::none, half_edge::none});
+    made.half_edges.push_back({a, no_index, no_index, l});
+    made.half_edges.push_back({b, no_index, no_index, no_index});
     next_in_list_.push_back(list);
     list = h / 2;
     made.half_edge_at[a] = h;
@@ -128,9 +127,9 @@ private:
   // Half-edges beside the border, each followed by the next round the hole.
   constexpr void link_border() {
     for (std::uint32_t h = 1; h < made.half_edges.size(); h += 2) {
-      if (made.half_edges[h].loop != half_edge::none) continue;
+      if (made.half_edges[h].loop != no_index) continue;
       std::uint32_t g = made.twin(h);  // leaves the vertex that h goes to: turned until it is beside the border
-      while (made.half_edges[g].loop != half_edge::none) g = made.twin(made.half_edges[g].previous);
+      while (made.half_edges[g].loop != no_index) g = made.twin(made.half_edges[g].previous);
       made.half_edges[h].next = g;
       made.half_edges[g].previous = h;
     }

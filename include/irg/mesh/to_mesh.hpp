@@ -19,7 +19,7 @@ template <Floating T, Mesh M>
 [[nodiscard]] constexpr mesh<T> to_mesh(const M& m) {
   mesh<T> out;
   const std::size_t vertices = mesh_vertex_count(m), faces = mesh_face_count(m);
-  IRG_EXPECTS(vertices < mesh_corner::none);
+  IRG_EXPECTS(vertices < no_index);
   out.positions.reserve(vertices);
   out.face_starts.reserve(faces + 1);
   for (std::size_t v = 0; v < vertices; ++v) {

@@ -17,6 +17,7 @@ struct triangulate_options {
   /// How many corner-in-triangle tests a face may take, times its corners, before the rest of it becomes a fan. Bounds
   /// the time that hostile faces can take; ordinary faces of 10^5 corners need a few dozen.
   std::size_t tests_per_corner = 1024;
+  bool operator==(const triangulate_options&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -65,8 +66,8 @@ public:
     const auto n = static_cast<std::uint32_t>(ring.size());
     if (n == 3) return sink(0u, 1u, 2u);
     // A face whose area along the first axis is lost in rounding is looked at along the others.
-    if (clip(ring, flattening_axis(ring), sink) || clip(ring, 0, sink) || clip(ring, 1, sink) || clip(ring, 2, sink))
-      return;
+    const int axis = dropped_axis(ring).value_or(2);
+    if (clip(ring, axis, sink) || clip(ring, 0, sink) || clip(ring, 1, sink) || clip(ring, 2, sink)) return;
     for (std::uint32_t i = 2; i < n; ++i) sink(0u, i - 1, i);
   }
 

@@ -16,7 +16,7 @@ enum class mesh_defect {
   bad_face_start,  ///< face_starts is empty, does not begin with 0, falls, or does not end at corners.size()
   short_face,  ///< a face has fewer than three corners
   position_out_of_range,  ///< a corner names a position that the mesh does not have
-  normal_out_of_range,  ///< likewise; mesh_corner::none is no defect
+  normal_out_of_range,  ///< likewise; no_index is no defect
   texcoord_out_of_range,  ///< likewise
   position_not_finite,  ///< a coordinate of a position is infinite or NaN
   normal_not_finite,  ///< likewise
@@ -31,7 +31,7 @@ struct mesh_finding {
   mesh_defect defect = mesh_defect::none;
   std::size_t index = 0;
   std::size_t corner = 0;
-  constexpr bool operator==(const mesh_finding&) const = default;
+  bool operator==(const mesh_finding&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -62,10 +62,8 @@ template <Scalar T>
     for (std::size_t k = 0; k < end - start; ++k) {
       const mesh_corner& c = m.corners[start + k];
       if (c.position >= m.positions.size()) return {mesh_defect::position_out_of_range, f, k};
-      if (c.normal != mesh_corner::none && c.normal >= m.normals.size())
-        return {mesh_defect::normal_out_of_range, f, k};
-      if (c.texcoord != mesh_corner::none && c.texcoord >= m.texcoords.size())
-        return {mesh_defect::texcoord_out_of_range, f, k};
+      if (c.normal != no_index && c.normal >= m.normals.size()) return {mesh_defect::normal_out_of_range, f, k};
+      if (c.texcoord != no_index && c.texcoord >= m.texcoords.size()) return {mesh_defect::texcoord_out_of_range, f, k};
     }
   }
   if (m.face_starts.back() != m.corners.size()) return {mesh_defect::bad_face_start, m.face_count()};

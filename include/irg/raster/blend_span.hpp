@@ -21,8 +21,8 @@ template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr void blend_span(R& raster, const coverage_span& span, const Paint& paint) {
   const cell_window w = window_of(raster);
   if (span.y < w.y_first || span.y >= w.y_last) return;
-  const int first = greater(span.x_first, w.x_first);
-  const int last = lesser(span.x_last, w.x_last);
+  const int first = maximum(span.x_first, w.x_first);
+  const int last = minimum(span.x_last, w.x_last);
   if (first >= last) return;
   if constexpr (CoverageBlendFunction<Paint, R>) {
     for (int x = first; x < last; ++x)

@@ -32,7 +32,7 @@ IRG_INLINE constexpr double float_gap_below(double t) noexcept {
 template <class F>
 IRG_INLINE constexpr F depth_in_range(const F& z, float most, float farthest) noexcept {
   const auto all = [](float v) { return lanes<F>::broadcast(v); };
-  return select(z == z, low_of(all(most), high_of(all(0.0f), z)), all(farthest));
+  return select(z == z, minimum(all(most), maximum(all(0.0f), z)), all(farthest));
 }
 
 IRG_INLINE constexpr bool is_endless(double z_far) noexcept { return z_far > (std::numeric_limits<double>::max)(); }
@@ -101,7 +101,7 @@ struct depth_float_reversed : detail::depth_in_float<nearer_is_greater> {
 /// z/w of a standard projection in a float: 0 on the near plane, 1 on the far one, where floats are coarse.
 struct depth_float : detail::depth_in_float<nearer_is_less> {
   IRG_INLINE static constexpr double depth_at(double z_near, double z_far, double distance) noexcept {
-    return lesser(detail::depth_scale(z_near, z_far) * (1.0 / z_near - 1.0 / distance), 1.0);
+    return minimum(detail::depth_scale(z_near, z_far) * (1.0 / z_near - 1.0 / distance), 1.0);
   }
 };
 
@@ -234,7 +234,7 @@ template <DepthFormat F>
   if (F::order::nearer(0.0f, 1.0f)) return first;  // depth falls towards the eye
   // Towards the eye depth rises, perhaps to where floats lie further apart.
   const double higher = depth + F::step_below(depth);
-  return greater(first, separation(F::step_below(higher)));
+  return maximum(first, separation(F::step_below(higher)));
 }
 
 }  // namespace IRG_ABI

@@ -22,7 +22,7 @@ struct draw_counts {
     convex += o.convex;
     return *this;
   }
-  constexpr bool operator==(const draw_counts&) const = default;
+  bool operator==(const draw_counts&) const = default;
 };
 
 /// Whether work that cannot change the picture is left out. `off` is for measuring and for tests: the bytes are equal.
@@ -35,7 +35,7 @@ struct skip_options {
   skipping occluded = skipping::on;  // triangles, and parts of them, behind what is drawn already
   skipping rooms = skipping::on;     // rooms of a building that no portal shows
   skipping convex = skipping::on;    // hidden-surface methods where a convex body is alone
-  constexpr bool operator==(const skip_options&) const = default;
+  bool operator==(const skip_options&) const = default;
 };
 
 /// Nothing is skipped but what face culling leaves out.
@@ -57,19 +57,19 @@ struct skip_counts {
     rooms += o.rooms;
     return *this;
   }
-  constexpr bool operator==(const skip_counts&) const = default;
+  bool operator==(const skip_counts&) const = default;
 };
 
 /// What rendering did. Independent of the executor; pixels.shaded and `drawn` also of `skipping`. What is passed over
 /// as occluded is neither tested nor found to tie.
-struct render_stats {
+struct render_counts {
   std::int64_t triangles = 0;  // after faces of more corners were cut
   skip_counts skipped;
   draw_counts pixels;
   std::int64_t drawn = 0;  // pixels that show a triangle, or a line of one
   std::int64_t clipped = 0;  // triangles cut at the depth planes or the guard band, whose rest holds pixel centres
 
-  IRG_INLINE constexpr render_stats& operator+=(const render_stats& o) noexcept {
+  IRG_INLINE constexpr render_counts& operator+=(const render_counts& o) noexcept {
     triangles += o.triangles;
     skipped += o.skipped;
     pixels += o.pixels;
@@ -77,7 +77,7 @@ struct render_stats {
     clipped += o.clipped;
     return *this;
   }
-  constexpr bool operator==(const render_stats&) const = default;
+  bool operator==(const render_counts&) const = default;
 };
 
 }  // namespace irg

@@ -172,7 +172,7 @@ IRG_INLINE constexpr void cut_walk(const line_walk<std::uint32_t>& walk, const t
     const std::uint32_t to_x = cells_to_border(in_x, grid.width_bits, left),
                         to_y = cells_to_border(in_y, grid.height_bits, up);
     const std::uint32_t along = steep ? to_y : to_x, aside = steep ? to_x : to_y;
-    std::uint32_t count = lesser(cells, along);
+    std::uint32_t count = minimum(cells, along);
     if ((part + (count - 1) * slope) >> 32 >= aside)  // the border aside comes first: where part + i * slope reaches it
       count = static_cast<std::uint32_t>(((std::uint64_t{aside} << 32) - part + slope - 1) / slope);
     sink(line_piece{part,
@@ -234,11 +234,11 @@ IRG_INLINE constexpr line_walk<std::uint32_t> visible_walk(cell a, cell b, const
 
 // The longer side of what the window leaves of a line's box, in cells; 0 when that is nothing.
 constexpr std::uint64_t visible_extent(cell a, cell b, const cell_window& w) noexcept {
-  const cell_window box{greater(lesser(a.x, b.x), w.x_first), greater(lesser(a.y, b.y), w.y_first),
-                        lesser(greater(a.x, b.x), w.x_last - 1), lesser(greater(a.y, b.y), w.y_last - 1)};
+  const cell_window box{maximum(minimum(a.x, b.x), w.x_first), maximum(minimum(a.y, b.y), w.y_first),
+                        minimum(maximum(a.x, b.x), w.x_last - 1), minimum(maximum(a.y, b.y), w.y_last - 1)};
   if (box.x_first > box.x_last || box.y_first > box.y_last) return 0;
   return static_cast<std::uint64_t>(
-             greater(std::int64_t{box.x_last} - box.x_first, std::int64_t{box.y_last} - box.y_first)) +
+             maximum(std::int64_t{box.x_last} - box.x_first, std::int64_t{box.y_last} - box.y_first)) +
          1;
 }
 
@@ -271,10 +271,10 @@ void draw_lines_by_middle(R& raster, const Lines& lines, const cell_window& wind
   const auto size = static_cast<std::size_t>(lines.size());
   const auto middle = [](int a, int b, int first, int last) {
     const auto m = static_cast<int>((std::int64_t{a} + b) >> 1);
-    return static_cast<std::uint32_t>(clamp(m, first, last - 1)) - static_cast<std::uint32_t>(first);
+    return static_cast<std::uint32_t>(clamped(m, first, last - 1)) - static_cast<std::uint32_t>(first);
   };
   for (std::size_t begin = 0; begin < size; begin += lines_at_once) {
-    const std::size_t count = lesser(size - begin, lines_at_once);
+    const std::size_t count = minimum(size - begin, lines_at_once);
     memory.tile.resize(count);
     memory.sorted.resize(count);
     memory.next.assign(grid.count, 0);
@@ -308,11 +308,11 @@ void draw_lines_by_piece(R& raster, const Lines& lines, const cell_window& windo
   const auto size = static_cast<std::size_t>(lines.size());
   for (std::size_t i = 0; i < size; ++i) {
     const cell a = lines[i].from, b = lines[i].to;
-    const int left = lesser(a.x, b.x), right = greater(a.x, b.x), top = lesser(a.y, b.y), bottom = greater(a.y, b.y);
+    const int left = minimum(a.x, b.x), right = maximum(a.x, b.x), top = minimum(a.y, b.y), bottom = maximum(a.y, b.y);
     if ((right < window.x_first) | (left >= window.x_last) | (bottom < window.y_first) | (top >= window.y_last))
       continue;
     const std::int64_t width = std::int64_t{right} - left, height = std::int64_t{bottom} - top;
-    const std::int64_t n = greater(width, height), m = lesser(width, height);
+    const std::int64_t n = maximum(width, height), m = minimum(width, height);
     if (n > longest_walk_in_32_bits) {  // drawn by itself, after those before it
       draw_pieces(rows, pieces, grid.count, value_of);
       const pixel_of<R> value = value_of(i);

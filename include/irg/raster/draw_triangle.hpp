@@ -136,10 +136,10 @@ constexpr draw_counts triangle_rows(Colour& colour, Depth& depth, const covered_
     triangle_row<pixel_of<Colour>, Z> row{y, span.x_first, span.x_last, nullptr, raster_traits<Colour>::row(colour, y)};
     if constexpr (!std::same_as<Depth, const no_depth>) row.depth = raster_traits<Depth>::row(depth, y);
     for (; row.x_first < row.x_last; row.x_first += count)
-      triangle_pixels<depth_kept<How, Z>, Policy, F, J>(t.setup, lesser(row.x_first, window.x_last - count), row, paint,
-                                                        counts);
+      triangle_pixels<depth_kept<How, Z>, Policy, F, J>(t.setup, minimum(row.x_first, window.x_last - count), row,
+                                                        paint, counts);
   }
-  return {total(counts.tested), total(counts.shaded), total(counts.ties)};
+  return {reduce_add(counts.tested), reduce_add(counts.shaded), reduce_add(counts.ties)};
 }
 
 // A raster that triangles can be drawn into by depth: in an order floats are kept, in a format what it says.

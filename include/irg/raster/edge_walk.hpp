@@ -22,7 +22,7 @@ inline constexpr std::int64_t far_limit = std::int64_t{1} << 31;
 /// A position in 1/256 pixel that may lie beyond the reach of `subpixel`: up to far_limit pixels from the origin.
 struct far_subpixel {
   std::int64_t x = 0, y = 0;
-  constexpr bool operator==(const far_subpixel&) const = default;
+  bool operator==(const far_subpixel&) const = default;
 };
 
 /// An edge in one row; next() leads to the row below. J is std::int32_t for subpixel, std::int64_t for far_subpixel.
@@ -45,6 +45,7 @@ struct edge_walk {
 /// The rows first to last - 1.
 struct row_range {
   std::int64_t first = 0, last = 0;
+  bool operator==(const row_range&) const = default;
 };
 
 inline namespace IRG_ABI {

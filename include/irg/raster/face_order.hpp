@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <irg/core/conversion.hpp>
@@ -79,23 +80,24 @@ template <int N>
   return x.negative ? -v : v;
 }
 
-/// 1 when a corner lies in front of the plane of a face, nearer than it; -1 when behind, 0 in the plane.
+/// On which side of the plane of a face a corner lies: above when in front of it, which is nearer, below when behind.
 /// needs   the corner's position within snap_limit pixels of the origin
-/// gives   0 for a face without area, and for drawing_order
+/// gives   `on` for a face without area, and for drawing_order
 /// exact   as compare_depths; it is the sign of orient3d of the corners (x, y, depth)
 template <DepthOrder Order = nearer_is_greater>
-[[nodiscard]] IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept;
+[[nodiscard]] IRG_INLINE constexpr side side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept;
 
 /// The number of the face that is seen in pixel (x, y): of those that cover its centre the one that is_nearer.
-/// gives   no_face where none covers it
+/// gives   nothing where none covers it
 /// exact   this is the definition of the picture that every hidden-surface method draws
 /// cost    every face is asked: for tests of methods that ask fewer
 template <DepthOrder Order = nearer_is_greater>
-[[nodiscard]] constexpr std::uint32_t picture_face_at(std::span<const screen_face> faces, int x, int y) noexcept {
+[[nodiscard]] constexpr std::optional<std::uint32_t> picture_face_at(std::span<const screen_face> faces, int x,
+                                                                     int y) noexcept {
   const screen_face* first = nullptr;
   for (const screen_face& f : faces)
     if (covers(f, x, y) && (first == nullptr || is_nearer<Order>(f, *first, x, y))) first = &f;
-  return first == nullptr ? no_face : first->number;
+  return first == nullptr ? std::nullopt : std::optional(first->number);
 }
 
 }  // namespace IRG_ABI
@@ -188,8 +190,8 @@ IRG_NOINLINE constexpr int exact_sign(const Plane& a, const Plane& b) noexcept {
     for (const float d : m->depth) {
       const integer_parts<float> x = integer_parts_of(d);
       if (x.significand == 0) continue;
-      lowest = lesser(lowest, x.place);
-      highest = greater(highest, x.place);
+      lowest = minimum(lowest, x.place);
+      highest = maximum(highest, x.place);
     }
   return highest - lowest <= 37 ? integer_sign<1>(a, b, lowest) : integer_sign<5>(a, b, lowest);
 }
@@ -216,9 +218,9 @@ IRG_INLINE constexpr subpixel centre_of(int x, int y) noexcept {
 // the area is below 256: then edge functions are 0 in whole pixels, and the depth is NaN, which decides nothing.
 IRG_INLINE constexpr bool rounded_depths_decide(const face_sample& a, const face_sample& b) noexcept {
   constexpr float factor = 0x1.4p-20f, least = 0x1p-40f;
-  if (!(lesser(a.face.depth_low, b.face.depth_low) >= 0.0f)) return false;
-  const float difference = a.depth - b.depth, largest = greater(a.depth, b.depth);
-  return largest >= least && greater(difference, -difference) > largest * factor;
+  if (!(minimum(a.face.depth_low, b.face.depth_low) >= 0.0f)) return false;
+  const float difference = a.depth - b.depth, largest = maximum(a.depth, b.depth);
+  return largest >= least && maximum(difference, -difference) > largest * factor;
 }
 
 template <DepthOrder Order>
@@ -277,10 +279,11 @@ template <DepthOrder Order>
 }
 
 template <DepthOrder Order>
-[[nodiscard]] IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
-  if (plane.coverage.double_area == 0) return 0;
+[[nodiscard]] IRG_INLINE constexpr side side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
+  if (plane.coverage.double_area == 0) return side::on;
   const detail::plane_depth_at here{{1, 0, 0}, 1, {corner.depth, 0.0f, 0.0f}};
-  return depth_sense<Order> * detail::compare_depths_at(here, detail::plane_at(plane, corner.position));
+  return static_cast<side>(depth_sense<Order> *
+                           detail::compare_depths_at(here, detail::plane_at(plane, corner.position)));
 }
 
 }  // namespace IRG_ABI

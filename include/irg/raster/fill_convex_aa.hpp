@@ -61,7 +61,7 @@ struct steep_rows {
 
   IRG_INLINE steep_rows(const whole_edge_rows<F>& left, const whole_edge_rows<F>& right) noexcept
       : up(lanes<F>::ramp()), down(lanes<F>::broadcast(N - 1) - up) {
-    const std::int64_t reach = greater(left.reach, right.reach);
+    const std::int64_t reach = maximum(left.reach, right.reach);
     very_steep = reach <= (half - 1) * area_one;
     steep = reach <= (N - 1) * area_one;
     const auto first = lanes<pack<std::int32_t, N>>::ramp() < half;
@@ -142,9 +142,9 @@ struct small_polygon {
       std::int32_t y = a.y;
       std::int64_t from = area_position(a.x), next = edge.enters(row + 1);
       do {
-        const std::int32_t lower = (row + 1) * one_pixel, stop = lesser(lower, b.y);
+        const std::int32_t lower = (row + 1) * one_pixel, stop = minimum(lower, b.y);
         const std::int64_t to = stop == lower ? next : area_position(b.x);
-        const auto low = static_cast<std::int32_t>((lesser(from, to) >> 20) - (std::int64_t{origin} << 20));
+        const auto low = static_cast<std::int32_t>((minimum(from, to) >> 20) - (std::int64_t{origin} << 20));
         const auto reach = static_cast<std::int32_t>((from < to ? to - from : from - to) >> 20);
         const F rest = lanes<F>::broadcast(area_fraction(low)), width = lanes<F>::broadcast(area_fraction(reach));
         const F height = lanes<F>::broadcast(static_cast<float>(stop - y) * 0x1p-8f);
@@ -202,9 +202,9 @@ IRG_INLINE void small_area_rows(const Vertices& vertex, std::size_t n, const rin
   small_polygon<N> polygon(x_last - x_first);
   polygon.template add_side<1>(vertex, n, extent.topmost, !clockwise, row_first, x_first, extent.bottom);
   polygon.template add_side<-1>(vertex, n, extent.topmost, clockwise, row_first, x_first, extent.bottom);
-  const int stop = lesser(row_last, w.y_last);
-  for (int row = greater(row_first, w.y_first); row < stop; ++row) {
-    const std::int32_t height = lesser(extent.bottom, (row + 1) * one_pixel) - greater(extent.top, row * one_pixel);
+  const int stop = minimum(row_last, w.y_last);
+  for (int row = maximum(row_first, w.y_first); row < stop; ++row) {
+    const std::int32_t height = minimum(extent.bottom, (row + 1) * one_pixel) - maximum(extent.top, row * one_pixel);
     const F full = lanes<F>::broadcast(static_cast<float>(height) * 0x1p-8f);
     target.begin(row);
     for (int k = 0; k < polygon.used; ++k) {
@@ -234,19 +234,19 @@ IRG_INLINE constexpr void area_rows(const Vertices& vertex, std::size_t n, const
   }
   area_side<1, Vertices> left(vertex, n, extent.topmost, !clockwise);
   area_side<-1, Vertices> right(vertex, n, extent.topmost, clockwise);
-  int row = greater(row_first, w.y_first);
-  const int row_last = lesser(row_end, w.y_last);
+  int row = maximum(row_first, w.y_first);
+  const int row_last = minimum(row_end, w.y_last);
   edge_pieces_row left_pieces, right_pieces;
   while (row < row_last) {
-    const std::int32_t y = greater(row * one_pixel, extent.top);
+    const std::int32_t y = maximum(row * one_pixel, extent.top);
     if (left.b.y <= y) left.lead_on(y);
     if (right.b.y <= y) right.lead_on(y);
-    const int stop = lesser(lesser(left.row_last, right.row_last), row_last);
+    const int stop = minimum(minimum(left.row_last, right.row_last), row_last);
     if (left.row_first <= row && right.row_first <= row && row < stop && left.suits_floats() && right.suits_floats()) {
       whole_rows<F>(target, whole_edge_rows<F>(left, row), whole_edge_rows<F>(right, row), row, stop, w);
       row = stop;
     } else {
-      const std::int32_t y_last = lesser((row + 1) * one_pixel, extent.bottom);
+      const std::int32_t y_last = minimum((row + 1) * one_pixel, extent.bottom);
       left.pieces(row, y, y_last, left_pieces);
       right.pieces(row, y, y_last, right_pieces);
       target.begin(row);

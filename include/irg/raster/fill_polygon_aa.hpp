@@ -161,7 +161,7 @@ public:
     for (int row = w_.y_first; row < w_.y_last; ++row) {
       if (m_.parts.empty()) {
         if (waiting == m_.lines.size()) return;
-        row = greater(row, m_.lines[waiting].upper.y >> subpixel_bits);
+        row = maximum(row, m_.lines[waiting].upper.y >> subpixel_bits);
         if (row >= w_.y_last) return;
       }
       const std::int32_t top = row * one_pixel, bottom = top + one_pixel;
@@ -186,14 +186,14 @@ private:
   constexpr void enter_row(area_part& p, std::int32_t top, std::int32_t bottom) noexcept {
     const area_line& l = line(p.line);
     const bool comes_from_above = p.bottom == fine_one;
-    p.top = comes_from_above ? 0 : std::int64_t{greater(top, l.upper.y) - top} << snapped_to_fine;
-    p.bottom = std::int64_t{lesser(bottom, l.lower.y) - top} << snapped_to_fine;
+    p.top = comes_from_above ? 0 : std::int64_t{maximum(top, l.upper.y) - top} << snapped_to_fine;
+    p.bottom = std::int64_t{minimum(bottom, l.lower.y) - top} << snapped_to_fine;
     p.x_top = comes_from_above   ? p.x_bottom
               : l.direction == 0 ? std::int64_t{l.upper.x} << snapped_to_fine
                                  : l.x_at(top, p.top);
     p.x_bottom = l.x_at(top, p.bottom);
-    p.low = lesser(p.x_top, p.x_bottom);
-    p.high = greater(p.x_top, p.x_bottom);
+    p.low = minimum(p.x_top, p.x_bottom);
+    p.high = maximum(p.x_top, p.x_bottom);
   }
 
   // By their left ends; the parts of the row before are nearly in order.
@@ -220,15 +220,15 @@ private:
       std::size_t last = i;
       for (; last < n && m_.parts[last].low <= high; ++last) {
         const area_part& p = m_.parts[last];
-        high = greater(high, p.high);
+        high = maximum(high, p.high);
         turned += line(p.line).direction * (p.bottom - p.top);
       }
       const std::int64_t from = m_.parts[i].low >> fine_bits, to = (high + (fine_one - 1)) >> fine_bits;
       if (from >= w_.x_last) break;
       const bool visible = to > w_.x_first;
       if (visible) {
-        if (from >= run_last_) finish_run(is_inside(winding), clamped(from));
-        run_last_ = greater(run_last_, clamped(to));
+        if (from >= run_last_) finish_run(is_inside(winding), limited(from));
+        run_last_ = maximum(run_last_, limited(to));
         sweep_group(i, last, winding);
       }
       winding += static_cast<int>(turned / fine_one);
@@ -238,8 +238,8 @@ private:
     finish_run(is_inside(winding), w_.x_last);
   }
 
-  IRG_INLINE constexpr int clamped(std::int64_t x) const noexcept {
-    return static_cast<int>(clamp(x, std::int64_t{w_.x_first}, std::int64_t{w_.x_last}));
+  IRG_INLINE constexpr int limited(std::int64_t x) const noexcept {
+    return static_cast<int>(clamped(x, std::int64_t{w_.x_first}, std::int64_t{w_.x_last}));
   }
 
   // Sends the columns that the groups so far have touched, and what lies between them and the next group.
@@ -252,10 +252,10 @@ private:
       // Rounded as coverage_of_area does.
       constexpr std::int64_t rounding = (whole_pixel >> 1) + (whole_pixel >> 10);
       const auto c =
-          static_cast<std::uint8_t>((clamp(area, std::int64_t{0}, whole_pixel) * 255 + rounding) >> area_bits);
+          static_cast<std::uint8_t>((clamped(area, std::int64_t{0}, whole_pixel) * 255 + rounding) >> area_bits);
       coverage_at(x) = c;
       if (c == 0) continue;
-      first = lesser(first, x);
+      first = minimum(first, x);
       last = x + 1;
     }
     if (first < last) emit_(coverage_span{row_, first, last, &coverage_at(first)});
@@ -267,14 +267,14 @@ private:
 
   // Adds what lies right of a stretch of an edge, or takes it away.
   constexpr void add_stretch(std::int64_t xa, std::int64_t xb, std::int64_t height, int role) {
-    const std::int64_t low = lesser(xa, xb), high = greater(xa, xb);
+    const std::int64_t low = minimum(xa, xb), high = maximum(xa, xb);
     const std::int64_t first = low >> fine_bits, last = (high + (fine_one - 1)) >> fine_bits;
     const std::int64_t whole = height << (area_bits - fine_bits);
     const double width = static_cast<double>(high - low) * 0x1p-32, tall = static_cast<double>(height) * 0x1p-32;
     const double scale = width > 0 ? tall / (width + width) : 0.0;
     std::int64_t so_far = 0;
-    const std::int64_t stop = lesser(last, std::int64_t{w_.x_last});
-    std::int64_t x = greater(first, std::int64_t{w_.x_first});
+    const std::int64_t stop = minimum(last, std::int64_t{w_.x_last});
+    std::int64_t x = maximum(first, std::int64_t{w_.x_first});
     for (; x < stop; ++x) {
       const double from = static_cast<double>(low - (x << fine_bits)) * 0x1p-32;
       const double area = tall - uncovered_near(0.0, from, width, scale, tall);  // on its right
@@ -397,7 +397,7 @@ private:
     const auto apart = static_cast<double>(b.x_top - a.x_top), beyond = static_cast<double>(a.x_bottom - b.x_bottom);
     const auto way = static_cast<double>(bottom - band_top_) * (apart / (apart + beyond));
     const std::int64_t at = band_top_ + static_cast<std::int64_t>(way);
-    m_.crossings.push_back({clamp(at, y, bottom), left, right});
+    m_.crossings.push_back({clamped(at, y, bottom), left, right});
     std::push_heap(m_.crossings.begin(), m_.crossings.end());
   }
 

@@ -40,7 +40,7 @@ constexpr int polygon_band_height(const R&, const P& polygons, std::size_t n, co
     if (w.empty() || n > 0xffffffffu) return 0;
     const std::int64_t row_bytes =
         (std::int64_t{w.x_last} - w.x_first) * static_cast<std::int64_t>(sizeof(pixel_of<R>));
-    const std::int64_t rows = greater(polygon_band_bytes / row_bytes, std::int64_t{8});
+    const std::int64_t rows = maximum(polygon_band_bytes / row_bytes, std::int64_t{8});
     if (rows >= (w.y_last - w.y_first) / 4) return 0;  // the window as good as fits the cache
     if (bands_pay(polygons, n, w, static_cast<int>(rows))) return static_cast<int>(rows);
   }

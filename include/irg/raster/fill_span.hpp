@@ -113,8 +113,8 @@ template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 IRG_INLINE constexpr void fill_span(R& raster, const span_of_cells& span, const Paint& paint) {
   const cell_window w = window_of(raster);
   if (span.y < w.y_first || span.y >= w.y_last) return;
-  const int first = greater(span.x_first, w.x_first);
-  const int last = lesser(span.x_last, w.x_last);
+  const int first = maximum(span.x_first, w.x_first);
+  const int last = minimum(span.x_last, w.x_last);
   if (first < last) detail::paint_run(raster, span.y, first, last, detail::prepared_paint<R>(paint));
 }
 

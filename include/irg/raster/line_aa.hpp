@@ -60,7 +60,7 @@ struct aa_drawing {
       target.template columns_inside<G, Fills>(y, origin, sign, c.last - c.first, solid, row);
     } else {
       const area_range all = axis.pixels(c);
-      target.template columns<G>(y, greater(all.first, w.x_first), lesser(all.last, w.x_last), w.x_last,
+      target.template columns<G>(y, maximum(all.first, w.x_first), minimum(all.last, w.x_last), w.x_last,
                                  [&](int x) { return row(area_indices<G>(x, origin, sign)); });
     }
   }
@@ -148,15 +148,15 @@ struct aa_drawing {
     const double rise = -s.edges.x_per_row[0],
                  before = product(columns.first - s.edges.x[2] - s.slant, rise) + s.edges.y[2],
                  after = product(columns.last - s.edges.x[1], rise) + s.edges.y[1];
-    return {static_cast<int>(clamp<double>(before, first, last)),
-            static_cast<int>(clamp<double>(after + 1.0, first, last))};
+    return {static_cast<int>(clamped<double>(before, first, last)),
+            static_cast<int>(clamped<double>(after + 1.0, first, last))};
   }
 
   // Rows [first, last) of the shape.
   IRG_INLINE constexpr void rows(int first, int last) const {
     const area_range visible = f.y.indices({w.y_first, w.y_last});
-    first = greater(first, visible.first), last = lesser(last, visible.last);
-    const int band_first = greater(first, s.band_first), band_last = lesser(last, s.band_last);
+    first = maximum(first, visible.first), last = minimum(last, visible.last);
+    const int band_first = maximum(first, s.band_first), band_last = minimum(last, s.band_last);
     if (band_first >= band_last) return cap_rows(first, last);
     cap_rows(first, band_first);
     const area_range band = reaching(band_first, band_last);
@@ -190,7 +190,7 @@ constexpr void aa_slanted(const subpixel& a, const subpixel& b, const line_aa_op
   if constexpr (Target::takes_uncovered) {
     // Beyond the rectangle's columns a pack may reach, and the column that ends on a whole number.
     const int beyond = margin + 1 + lanes<F>::count;
-    const int least = lesser(a.x, b.x) >> subpixel_bits, greatest = greater(a.x, b.x) >> subpixel_bits;
+    const int least = minimum(a.x, b.x) >> subpixel_bits, greatest = maximum(a.x, b.x) >> subpixel_bits;
     if (least - beyond >= w.x_first && greatest + beyond < w.x_last) return aa_draw<F, true>(f, other, s, w, target);
   }
   aa_draw<F, false>(f, other, s, w, target);
@@ -204,24 +204,24 @@ struct aa_overlap {
   }
   // How much of pixel i lies between the bounds, 0 to 512.
   IRG_INLINE constexpr std::int64_t of(int i) const noexcept {
-    const std::int64_t from = greater(low, std::int64_t{i} * 512), to = lesser(high, std::int64_t{i} * 512 + 512);
-    return greater(to - from, std::int64_t{0});
+    const std::int64_t from = maximum(low, std::int64_t{i} * 512), to = minimum(high, std::int64_t{i} * 512 + 512);
+    return maximum(to - from, std::int64_t{0});
   }
 };
 
 IRG_INLINE constexpr aa_overlap aa_extent(std::int32_t a, std::int32_t b, std::int32_t beyond) noexcept {
-  return {std::int64_t{2} * lesser(a, b) - beyond, std::int64_t{2} * greater(a, b) + beyond};
+  return {std::int64_t{2} * minimum(a, b) - beyond, std::int64_t{2} * maximum(a, b) + beyond};
 }
 
 template <class F, class Target>
 constexpr void aa_box(const aa_overlap& x, const aa_overlap& y, const cell_window& w, Target& target) {
   const area_range columns = x.pixels(), rows = y.pixels();
-  const int origin = columns.first, end = columns.last - 1, first = greater(origin, w.x_first),
-            last = lesser(columns.last, w.x_last);
+  const int origin = columns.first, end = columns.last - 1, first = maximum(origin, w.x_first),
+            last = minimum(columns.last, w.x_last);
   if (x.low >= x.high || y.low >= y.high || first >= last) return;
   std::int64_t height = 0;
   aa_box_row row;
-  for (int r = greater(rows.first, w.y_first); r < lesser(rows.last, w.y_last); ++r) {
+  for (int r = maximum(rows.first, w.y_first); r < minimum(rows.last, w.y_last); ++r) {
     if (y.of(r) != height) {  // of all but the first and the last row it is the same
       height = y.of(r);
       const auto part = [&](int column) {

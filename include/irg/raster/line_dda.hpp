@@ -37,7 +37,7 @@ constexpr dda_walk dda_walk_from(const bresenham_frame& f, std::int64_t i) noexc
   // rest: v - floor(v) in units of 1/(2n), so 0 <= rest < 2n.
   const auto rest = static_cast<uint128>(int128{2} * i * f.m + f.n - 1 + f.tie - int128{2} * f.n * aside);
   const uint128 slope = f.m == f.n ? ~std::uint64_t{0} : (m << 64) / n;
-  const uint128 unit = (uint128{1} << 64) / (2 * n), room = lesser(unit - 2, uint128{1} << 33);
+  const uint128 unit = (uint128{1} << 64) / (2 * n), room = minimum(unit - 2, uint128{1} << 33);
   return {static_cast<std::uint64_t>(((rest + 1) << 64) / (2 * n) - 1), static_cast<std::uint64_t>(slope), aside,
           static_cast<std::int64_t>(room)};
 }
@@ -47,7 +47,7 @@ constexpr void emit_dda(const bresenham_frame& f, const step_range& steps, Sink&
   if (f.n == 0 && steps.first < steps.last) return static_cast<void>(sink(f.at(0, 0)));
   for (std::int64_t i = steps.first; i < steps.last;) {
     dda_walk walk = dda_walk_from(f, i);
-    const std::int64_t stop = lesser(steps.last, i + walk.room + 1);
+    const std::int64_t stop = minimum(steps.last, i + walk.room + 1);
     for (; i < stop; ++i) {
       sink(f.at(i, walk.aside));
       walk.fraction += walk.slope;

@@ -15,7 +15,7 @@ namespace irg {
 /// Cells of one row or one column, from the first to the last, both included. Lines driven by x have runs in rows,
 /// those driven by y in columns.
 struct line_run {
-  cell first, last;
+  cell first, last;  // cells of the line, not bounds: `last` is drawn, too, where that of windows and spans is not
   friend constexpr bool operator==(const line_run&, const line_run&) = default;
 };
 

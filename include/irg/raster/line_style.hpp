@@ -23,7 +23,7 @@ enum class line_ties {
 struct line_options {
   line_ends ends = line_ends::closed;
   line_ties ties = line_ties::start_side;
-  constexpr bool operator==(const line_options&) const = default;
+  bool operator==(const line_options&) const = default;
 };
 
 /// How a thick line ends.
@@ -37,7 +37,7 @@ enum class line_caps {
 struct line_pen {
   std::int32_t width = one_pixel;  // in 1/256 pixel; nothing is drawn when it is not positive
   line_caps caps = line_caps::butt;
-  constexpr bool operator==(const line_pen&) const = default;
+  bool operator==(const line_pen&) const = default;
 };
 
 /// How the rectangle of a line ends.
@@ -54,7 +54,7 @@ inline constexpr std::int32_t max_line_aa_width = 64 * one_pixel;
 struct line_aa_options {
   std::int32_t width = one_pixel;
   line_aa_caps caps = line_aa_caps::butt;
-  constexpr bool operator==(const line_aa_options&) const = default;
+  bool operator==(const line_aa_options&) const = default;
 };
 
 /// How two segments of a thick line meet on the outer side of the bend.
@@ -78,7 +78,7 @@ struct stroke_style {
   line_caps caps = line_caps::butt;
   double mitre_limit = 4;
   polyline_shape shape = polyline_shape::open;
-  constexpr bool operator==(const stroke_style&) const = default;
+  bool operator==(const stroke_style&) const = default;
 };
 
 /// Which part of the text lies at the position given, along the line.
@@ -95,13 +95,13 @@ struct text_style {
   double weight = 0;  // of the strokes; when it is not positive, a twelfth of the size, but one pixel at least
   text_along along = text_along::left;
   text_across across = text_across::baseline;
-  constexpr bool operator==(const text_style&) const = default;
+  bool operator==(const text_style&) const = default;
 };
 
 /// The room that a text takes.
 struct text_extent {
   double width = 0, ascent = 0, descent = 0;
-  constexpr bool operator==(const text_extent&) const = default;
+  bool operator==(const text_extent&) const = default;
 };
 
 }  // namespace irg

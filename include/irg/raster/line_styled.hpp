@@ -24,6 +24,7 @@ struct dash_runs {
 struct dash_mask {
   std::uint16_t mask = 0xffff;
   std::uint32_t repeat = 1;
+  bool operator==(const dash_mask&) const = default;
 };
 
 /// How a line is dashed: by dash_runs or a dash_mask, from which position of it on, and with which ends and ties.
@@ -33,6 +34,7 @@ struct line_dashes {
   Pattern pattern{};
   std::uint64_t phase = 0;
   line_options options{};
+  bool operator==(const line_dashes&) const = default;
 };
 template <class Pattern, class... More>
 line_dashes(Pattern, More...) -> line_dashes<Pattern>;
@@ -75,7 +77,7 @@ private:
 class dash_mask_walk {
 public:
   constexpr explicit dash_mask_walk(const dash_mask& pattern) noexcept
-      : mask_(pattern.mask), repeat_(greater(pattern.repeat, std::uint32_t{1})) {}
+      : mask_(pattern.mask), repeat_(maximum(pattern.repeat, std::uint32_t{1})) {}
   constexpr std::uint64_t reduced(std::uint64_t position) const noexcept {
     return position % (std::uint64_t{16} * repeat_);
   }

@@ -23,7 +23,7 @@ struct line_subpixel_options {
   line_rule rule = line_rule::nearest;
   line_ends ends = line_ends::closed;  // whether a centre exactly level with b counts as between the ends
   line_ties ties = line_ties::start_side;
-  constexpr bool operator==(const line_subpixel_options&) const = default;
+  bool operator==(const line_subpixel_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -87,15 +87,15 @@ constexpr subpixel_walk subpixel_walk_of(const subpixel& a, const subpixel& b,
   w.steep = height >= width;  // 45 degrees counts as steep, as for whole cells
   w.sign_along = (w.steep ? dy : dx) < 0 ? -1 : 1;
   w.sign_aside = (w.steep ? dx : dy) < 0 ? -1 : 1;
-  w.du = greater(greater(width, height), std::int64_t{1});
-  w.dv = lesser(width, height);
+  w.du = maximum(maximum(width, height), std::int64_t{1});
+  w.dv = minimum(width, height);
   const std::int64_t u = std::int64_t{w.sign_along} * (w.steep ? a.y : a.x);
   const std::int64_t v = std::int64_t{w.sign_aside} * (w.steep ? a.x : a.y);
   w.at_zero = (v * w.du + (half_pixel - u) * w.dv - 1 + subpixel_tie(w, options)) >> subpixel_bits;
   if (options.rule == line_rule::diamond_exit) {
     set_diamond_columns(w, a, b);
   } else {
-    const std::int64_t end = u + greater(width, height) + (options.ends == line_ends::closed ? 1 : 0);
+    const std::int64_t end = u + maximum(width, height) + (options.ends == line_ends::closed ? 1 : 0);
     w.first = (u + half_pixel - 1) >> subpixel_bits;  // the first centre at or after the start
     w.last = (end + half_pixel - 1) >> subpixel_bits;  // the first one past the end
   }
@@ -107,11 +107,11 @@ constexpr void clip_walk(subpixel_walk& w, const cell_window& window) noexcept {
   const step_range x = turned(window.x_first, window.x_last, (w.steep ? w.sign_aside : w.sign_along) < 0);
   const step_range y = turned(window.y_first, window.y_last, (w.steep ? w.sign_along : w.sign_aside) < 0);
   const step_range along = w.steep ? y : x, aside = w.steep ? x : y;
-  w.first = greater(w.first, along.first);
-  w.last = lesser(w.last, along.last);
+  w.first = maximum(w.first, along.first);
+  w.last = minimum(w.last, along.last);
   if (w.dv > 0) {
-    w.first = greater(w.first, ceil_div(aside.first * w.du - w.at_zero, w.dv));
-    w.last = lesser(w.last, ceil_div(aside.last * w.du - w.at_zero, w.dv));
+    w.first = maximum(w.first, ceil_div(aside.first * w.du - w.at_zero, w.dv));
+    w.last = minimum(w.last, ceil_div(aside.last * w.du - w.at_zero, w.dv));
   } else if (w.at_zero < aside.first * w.du || w.at_zero >= aside.last * w.du) {
     w.last = w.first;
   }

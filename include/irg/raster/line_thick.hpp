@@ -79,9 +79,9 @@ struct stroke_range {
   // Keeps the v with a * v <= c.
   IRG_INLINE constexpr void cut(std::int64_t a, J c) noexcept {
     if (a > 0)
-      last = lesser(last, static_cast<J>(floor_div<J>(c, a) + 1));
+      last = minimum(last, static_cast<J>(floor_div<J>(c, a) + 1));
     else if (a < 0)
-      first = greater(first, static_cast<J>(-floor_div<J>(c, -a)));
+      first = maximum(first, static_cast<J>(-floor_div<J>(c, -a)));
     else if (c < 0)
       last = first;
   }
@@ -116,9 +116,9 @@ struct stroke_edge_walk {
   }
   IRG_INLINE constexpr void cut(stroke_range<J>& x) const noexcept {
     if (side > 0)
-      x.last = lesser(x.last, static_cast<J>(at + 1));
+      x.last = minimum(x.last, static_cast<J>(at + 1));
     else if (side < 0)
-      x.first = greater(x.first, static_cast<J>(-at));
+      x.first = maximum(x.first, static_cast<J>(-at));
     else if (at < 0)
       x.last = x.first;
   }
@@ -159,8 +159,8 @@ struct thick_stroke {
 
   // The rows in which the stroke may have a pixel inside of the window.
   constexpr stroke_range<J> rows(const cell_window& w) const noexcept {
-    stroke_range<J> y{greater<J>(y_first, w.y_first), lesser<J>(y_last, w.y_last)};
-    const int bounding = discs > 0 ? lesser(edges, 2) : edges;
+    stroke_range<J> y{maximum<J>(y_first, w.y_first), minimum<J>(y_last, w.y_last)};
+    const int bounding = discs > 0 ? minimum(edges, 2) : edges;
     for (int k = 0; k < bounding; ++k) {
       const stroke_edge<J>& e = edge[k];
       y.cut(e.b, e.c - static_cast<J>(e.a) * (e.a > 0 ? w.x_first : w.x_last - 1));
@@ -211,8 +211,8 @@ constexpr thick_stroke<J> thick_stroke_of(const thick_stroke_ends& p, std::int64
   if (end == line_caps::round) s.disc[s.discs++] = {snapped(p.bx), snapped(p.by), width};
   if (s.edges == 0 && s.discs == 0) return s;
   const std::int64_t reach = start == line_caps::square || end == line_caps::square ? width : width / 2 + 1;
-  s.y_first = (snapped(lesser(p.ay, p.by)) - reach + half_pixel - 1) >> subpixel_bits;
-  s.y_last = ((snapped(greater(p.ay, p.by)) + reach - half_pixel) >> subpixel_bits) + 1;
+  s.y_first = (snapped(minimum(p.ay, p.by)) - reach + half_pixel - 1) >> subpixel_bits;
+  s.y_last = ((snapped(maximum(p.ay, p.by)) + reach - half_pixel) >> subpixel_bits) + 1;
   return s;
 }
 
@@ -220,10 +220,10 @@ constexpr thick_stroke<J> thick_stroke_of(const thick_stroke_ends& p, std::int64
 template <class J>
 IRG_INLINE constexpr void add_disc(stroke_range<J>& x, const stroke_disc& disc, J y, const cell_window& w) noexcept {
   const stroke_range<std::int64_t> chord = disc.row(static_cast<std::int64_t>(y));
-  const J first = greater<J>(chord.first, w.x_first), last = lesser<J>(chord.last, w.x_last);
+  const J first = maximum<J>(chord.first, w.x_first), last = minimum<J>(chord.last, w.x_last);
   if (first >= last) return;
   const bool only = x.first >= x.last;
-  x = {only ? first : lesser(x.first, first), only ? last : greater(x.last, last)};
+  x = {only ? first : minimum(x.first, first), only ? last : maximum(x.last, last)};
 }
 
 // Calls sink(span) for the stroke's pixels in the window, row by row.
@@ -289,7 +289,7 @@ constexpr void polyline_thick(std::span<const subpixel> points, const line_pen& 
   for (std::size_t i = 0; i < spans.size();) {
     span_of_cells merged = spans[i++];
     for (; i < spans.size() && spans[i].y == merged.y && spans[i].x_first <= merged.x_last; ++i)
-      merged.x_last = greater(merged.x_last, spans[i].x_last);
+      merged.x_last = maximum(merged.x_last, spans[i].x_last);
     sink(merged);
   }
 }

@@ -73,8 +73,8 @@ struct wu_frame {
   IRG_INLINE constexpr std::int64_t change() const noexcept { return 510 * one_pixel * dv; }
   // How much of column j is drawn, in 1/256.
   IRG_INLINE constexpr int part_of(std::int64_t j) const noexcept {
-    const std::int64_t from = greater(j * one_pixel, u_first), to = lesser((j + 1) * one_pixel, u_last);
-    return static_cast<int>(greater(to - from, std::int64_t{0}));
+    const std::int64_t from = maximum(j * one_pixel, u_first), to = minimum((j + 1) * one_pixel, u_last);
+    return static_cast<int>(maximum(to - from, std::int64_t{0}));
   }
 };
 
@@ -88,7 +88,7 @@ constexpr wu_frame wu_frame_of(std::int64_t ax, std::int64_t ay, std::int64_t bx
   const std::int64_t u = steep ? ay : ax, v = steep ? ax : ay;
   f.u = f.u_mirrored ? -u : u, f.v = f.v_mirrored ? -v : v;
   f.u_first = f.u - beyond_a, f.u_last = f.u + (steep ? height : width) + beyond_b;
-  f.du = greater(steep ? height : width, std::int64_t{1}), f.dv = steep ? width : height;
+  f.du = maximum(steep ? height : width, std::int64_t{1}), f.dv = steep ? width : height;
   f.tie = ties == line_ties::symmetric && f.u_mirrored && f.dv > 0 ? 1 : 0;
   return f;
 }
@@ -106,8 +106,8 @@ constexpr step_range wu_visible(const wu_frame& f, const cell_window& w) noexcep
   const step_range x{w.x_first, w.x_last}, y{w.y_first, w.y_last};
   const step_range along = f.steep ? y : x, aside = f.steep ? x : y;
   const step_range u = turned(along.first, along.last, f.u_mirrored), v = turned(aside.first, aside.last, f.v_mirrored);
-  step_range columns{greater(u.first, f.u_first >> subpixel_bits),
-                     lesser(u.last, (f.u_last + one_pixel - 1) >> subpixel_bits)};
+  step_range columns{maximum(u.first, f.u_first >> subpixel_bits),
+                     minimum(u.last, (f.u_last + one_pixel - 1) >> subpixel_bits)};
   if (columns.first >= columns.last) return {0, 0};
   const std::int64_t last = wu_first_at(f, 255 * v.last, columns);
   return {wu_first_at(f, 255 * (v.first - 1) + 1, columns), last};

@@ -73,7 +73,7 @@ struct intensity_shader {
   IRG_INLINE constexpr P operator()(const pixel_weights<F>& at) const noexcept {
     const float value = at.interpolate(at0, at1, at2);
     if constexpr (std::integral<P>)
-      return static_cast<P>(clamp(value, 0.0f, 255.0f) + 0.5f);
+      return static_cast<P>(clamped(value, 0.0f, 255.0f) + 0.5f);
     else
       return static_cast<P>(value);
   }

@@ -119,7 +119,7 @@ IRG_INLINE pack<std::int32_t, N> snap_lanes(const pack<T, N>& pixels) noexcept {
   const auto scaled = pixels * F::broadcast(T(one_pixel));
   // Out of range the conversion is undefined in the language, though not on any machine: keep it in.
   const auto limit = F::broadcast(static_cast<T>(snap_limit) * T(one_pixel) / 2);
-  const auto sane = low_of(high_of(scaled, F::broadcast(0) - limit), limit);
+  const auto sane = minimum(maximum(scaled, F::broadcast(0) - limit), limit);
   const auto toward_zero = converted<std::int32_t>(sane);
   const auto rest = sane - converted<T>(toward_zero);
   return toward_zero - converted<std::int32_t>(rest >= F::broadcast(T(0.5))) +
@@ -180,7 +180,7 @@ IRG_INLINE clip_code_pair project_lanes(const vertex_range<T>& v, std::size_t fi
   const pack<T, N> sx = (cx * inverse) * F::broadcast(mapping.half_width) + F::broadcast(mapping.centre_x);
   const pack<T, N> sy = F::broadcast(mapping.centre_y) - (cy * inverse) * F::broadcast(mapping.half_height);
   const auto shown = converted<std::int32_t>(kept);
-  const pack<T, N> limited = high_of(F::broadcast(T(0x1p-126)), low_of(inverse, F::broadcast(T(0x1p126))));
+  const pack<T, N> limited = maximum(F::broadcast(T(0x1p-126)), minimum(inverse, F::broadcast(T(0x1p126))));
   const pack<T, N> z_screen = select(kept, cz * inverse, zero), w_screen = select(kept, limited, F::broadcast(1));
   store_vertices<N>(v.screen + first, {both(snap_lanes(sx), shown), both(snap_lanes(sy), shown),
                                        converted<float>(z_screen), converted<float>(w_screen)});
@@ -222,7 +222,7 @@ constexpr void project_vertices(std::span<const point<T, 3>> positions, const ma
   out.codes.resize(n, clip_code_pair{});
   std::vector<clip_code_pair> any((n + portion - 1) / portion, clip_code_pair{});
   executor(any.size(), [&](std::size_t i) {
-    const std::size_t first = i * portion, last = lesser(first + portion, n);
+    const std::size_t first = i * portion, last = minimum(first + portion, n);
     any[i] = detail::project_range<T>({out.screen.data(), out.codes.data(), positions.data(), to_clip, mapping}, first,
                                       last);
   });

@@ -12,8 +12,8 @@
 
 namespace irg {
 
-/// The number that pixels hold which show no face.
-inline constexpr std::uint32_t no_face = no_index;
+/// The old name of no_index, which pixels hold that show no face.
+[[deprecated("irg: no_index")]] inline constexpr std::uint32_t no_face = no_index;
 
 /// A face on the screen, made by make_screen_face.
 /// shape   v in the order of the source, which coverage.edge is not where it is `flipped`; coverage.bounds is the box
@@ -22,7 +22,8 @@ struct screen_face {
   screen_vertex v[3];
   triangle_coverage coverage;
   float depth_low = 0.0f, depth_high = 0.0f;  // no depth of the face lies outside
-  std::uint32_t number = no_face;
+  std::uint32_t number = no_index;
+  bool operator==(const screen_face&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -38,8 +39,8 @@ inline namespace IRG_ABI {
     constexpr std::int32_t limit = snap_limit * one_pixel;
     IRG_EXPECTS(v.position.x >= -limit && v.position.x <= limit && v.position.y >= -limit && v.position.y <= limit);
     IRG_EXPECTS(v.depth - v.depth == 0.0f);
-    f.depth_low = lesser(f.depth_low, v.depth);
-    f.depth_high = greater(f.depth_high, v.depth);
+    f.depth_low = minimum(f.depth_low, v.depth);
+    f.depth_high = maximum(f.depth_high, v.depth);
   }
   return f;
 }

@@ -19,6 +19,7 @@ template <Floating T>
 struct screen_mapping {
   T half_width, half_height, centre_x, centre_y;
   clip_volume<T> picture, guard;
+  bool operator==(const screen_mapping&) const = default;
 };
 
 /// The planes that a vertex is beyond: the picture's borders with the depth planes, and the same with the sides widened
@@ -30,7 +31,7 @@ struct clip_code_pair {
     return static_cast<clip_planes>(outside);
   }
   [[nodiscard]] IRG_INLINE constexpr clip_planes cut_planes() const noexcept { return static_cast<clip_planes>(cut); }
-  constexpr bool operator==(const clip_code_pair&) const = default;
+  bool operator==(const clip_code_pair&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -73,7 +74,7 @@ template <Floating T>
   const T most = T(0x1p126) / up;
   return {{snap(x), snap(y)},
           converted<float>(product(p.z * up, inverse)),
-          converted<float>(greater(lesser(inverse, most) * up, T(0x1p-126)))};
+          converted<float>(maximum(minimum(inverse, most) * up, T(0x1p-126)))};
 }
 
 /// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.

@@ -14,17 +14,20 @@ namespace irg {
 /// The weights of the second and third vertex of a source triangle; the first has the rest of 1.
 struct source_weights {
   float second = 0, third = 0;
+  bool operator==(const source_weights&) const = default;
 };
 
 /// Where the corners of a piece lie in its source triangle.
 struct piece_weights {
   source_weights corner[3] = {{0, 0}, {1, 0}, {0, 1}};
+  bool operator==(const piece_weights&) const = default;
 };
 
 /// A part of a source triangle, on the screen under the triangle's number.
 struct screen_piece {
   screen_face face;
   piece_weights weights;
+  bool operator==(const screen_piece&) const = default;
 };
 
 /// What clipping leaves of a triangle on the screen.
@@ -41,6 +44,11 @@ struct screen_pieces {
   IRG_INLINE constexpr const screen_piece& operator[](std::size_t i) const noexcept { return piece[i]; }
   [[nodiscard]] IRG_INLINE constexpr const screen_piece* begin() const noexcept { return piece; }
   [[nodiscard]] IRG_INLINE constexpr const screen_piece* end() const noexcept { return piece + count; }
+  IRG_APART constexpr bool operator==(const screen_pieces& o) const noexcept {
+    for (int i = 0; i < count && count == o.count; ++i)
+      if (!(piece[i] == o.piece[i])) return false;
+    return count == o.count && double_area == o.double_area && outside == o.outside;
+  }
 };
 
 inline namespace IRG_ABI {

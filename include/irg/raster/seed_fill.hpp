@@ -108,7 +108,7 @@ public:
   static constexpr std::int64_t next_unmarked(const std::uint64_t* row, std::int64_t i, std::int64_t end) noexcept {
     while (i < end) {
       const std::uint64_t unmarked = ~row[i >> 6] >> (i & 63);
-      if (unmarked != 0) return lesser(i + std::countr_zero(unmarked), end);
+      if (unmarked != 0) return minimum(i + std::countr_zero(unmarked), end);
       i = (i | 63) + 1;
     }
     return end;
@@ -117,7 +117,7 @@ public:
 private:
   // More words than a size_t of 32 bits can count become as many as no vector holds, so that it refuses them.
   static constexpr std::size_t countable(std::int64_t words) noexcept {
-    return static_cast<std::size_t>(lesser<std::int64_t>(words, (std::numeric_limits<std::ptrdiff_t>::max)()));
+    return static_cast<std::size_t>(minimum<std::int64_t>(words, (std::numeric_limits<std::ptrdiff_t>::max)()));
   }
 
   std::int64_t y_first_, words_per_row_;

@@ -90,7 +90,7 @@ struct stroke_pieces {
   constexpr void sector(const position& p, const direction& from, const direction& to, double angle) {
     constexpr double sag = 0x1p-7;
     const double step = half > sag ? 2 * irg::acos(1 - sag / half) : pi<double>;
-    const double pieces = step > 0 ? clamp(angle / step, 0.0, 4096.0) : 4096.0;
+    const double pieces = step > 0 ? clamped(angle / step, 0.0, 4096.0) : 4096.0;
     const int count = static_cast<int>(pieces) + 1;
     ring = {p, p + from};
     for (int i = 1; i < count; ++i) {

@@ -25,7 +25,7 @@ inline constexpr std::int32_t snap_limit = 1 << 21;
 /// A position on the screen in 1/256 pixel, x to the right, y down.
 struct subpixel {
   std::int32_t x = 0, y = 0;
-  constexpr bool operator==(const subpixel&) const = default;
+  bool operator==(const subpixel&) const = default;
 };
 
 /// A vertex on the screen: where it was snapped to, its depth, and one over its weight (1 for an affine picture).
@@ -33,6 +33,7 @@ struct screen_vertex {
   subpixel position;
   float depth = 0.0f;
   float inverse_w = 1.0f;
+  bool operator==(const screen_vertex&) const = default;
 };
 
 /// Points of ints that name a cell without being one: glm::ivec2, cv::Point, std::array<int, 2>, structs of x and y.

@@ -25,7 +25,7 @@ inline namespace IRG_ABI {
 template <class T>
 [[nodiscard]] IRG_INLINE constexpr bool has_vertices(const triangle_batch<T>& batch, std::uint32_t triangle) noexcept {
   const auto [a, b, c] = batch.triangles[triangle].v;
-  return greater(greater(a, b), c) < batch.vertices->screen.size();
+  return maximum(maximum(a, b), c) < batch.vertices->screen.size();
 }
 
 }  // namespace IRG_ABI

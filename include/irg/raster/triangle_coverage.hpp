@@ -28,6 +28,7 @@ struct triangle_edge {
   IRG_INLINE constexpr std::int64_t operator()(int x, int y) const noexcept {
     return at_origin + std::int64_t{right} * x + std::int64_t{down} * y;
   }
+  bool operator==(const triangle_edge&) const = default;
 };
 
 /// A triangle ready to be walked over.
@@ -38,6 +39,7 @@ struct triangle_coverage {
   std::int64_t double_area = 0;  // in (1/256 pixel)^2; 0 for a triangle that covers nothing because it has no inside
   cell_window bounds{};  // no covered pixel lies outside
   bool flipped = false;
+  bool operator==(const triangle_coverage&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -83,8 +85,8 @@ template <class J>
 /// gives   an empty window where there are none
 [[nodiscard]] IRG_INLINE constexpr cell_window centres_within(const subpixel& a, const subpixel& b,
                                                               const subpixel& c) noexcept {
-  const std::int32_t left = lesser(lesser(a.x, b.x), c.x), right = greater(greater(a.x, b.x), c.x);
-  const std::int32_t top = lesser(lesser(a.y, b.y), c.y), bottom = greater(greater(a.y, b.y), c.y);
+  const std::int32_t left = minimum(minimum(a.x, b.x), c.x), right = maximum(maximum(a.x, b.x), c.x);
+  const std::int32_t top = minimum(minimum(a.y, b.y), c.y), bottom = maximum(maximum(a.y, b.y), c.y);
   return {first_centre(left), first_centre(top), last_centre(right), last_centre(bottom)};
 }
 
@@ -140,22 +142,22 @@ inline namespace IRG_ABI {
 [[nodiscard]] constexpr span_of_cells covered_span(const triangle_coverage& t, int y, int x_first,
                                                    int x_last) noexcept {
   // first and last stay within [x_first, x_last], as does what is computed there.
-  const std::int64_t left = lesser(x_first, x_last), right = x_last;
+  const std::int64_t left = minimum(x_first, x_last), right = x_last;
   std::int64_t first = x_first, last = t.double_area == 0 ? left : right;
   for (const triangle_edge& e : t.edge) {
     const std::int64_t f = e(0, y);
     if (e.right > 0) {
       if (f + e.right * first < 0)  // the smallest x with f + right * x >= 0
-        first = lesser(-floor_div(f, std::int64_t{e.right}), right);
+        first = minimum(-floor_div(f, std::int64_t{e.right}), right);
     } else if (e.right < 0) {
       if (f + e.right * (last - 1) < 0)  // one past the greatest such x
-        last = greater(floor_div(f, -std::int64_t{e.right}) + 1, left);
+        last = maximum(floor_div(f, -std::int64_t{e.right}) + 1, left);
     } else if (f < 0) {
       last = left;
     }
   }
-  first = lesser(first, right);
-  return {y, static_cast<int>(first), static_cast<int>(greater(first, last))};
+  first = minimum(first, right);
+  return {y, static_cast<int>(first), static_cast<int>(maximum(first, last))};
 }
 
 /// Calls sink(span) for every row of covered pixels in the window, from top to bottom.

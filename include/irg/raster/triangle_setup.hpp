@@ -31,6 +31,9 @@ struct screen_weights {
 template <class F>
 struct depth_plane {
   F gain[3], rest, low, high;
+  bool operator==(const depth_plane&) const
+    requires std::equality_comparable<F>
+  = default;
 };
 
 /// Everything about a triangle that its pixels share. Vertices and edges keep the order the vertices were given in. The
@@ -47,6 +50,7 @@ struct triangle_setup {
   [[nodiscard]] IRG_INLINE constexpr F weight(int i, const J& f) const noexcept {
     return product(to_float(f), lanes<F>::broadcast(scale)) + lanes<F>::broadcast(rest[i]);
   }
+  bool operator==(const triangle_setup&) const = default;
 };
 
 /// The depth of a pixel from its three edge functions, limited to the range of the vertices' depths, which rounding
@@ -57,7 +61,7 @@ template <class F, class J>
 [[nodiscard]] IRG_INLINE constexpr F depth_at(const J (&f)[3], const auto& plane) noexcept {
   const F depth = (product(to_float(f[0]), plane.gain[0]) + plane.rest) +
                   (product(to_float(f[1]), plane.gain[1]) + product(to_float(f[2]), plane.gain[2]));
-  return low_of(plane.high, high_of(plane.low, depth));
+  return minimum(plane.high, maximum(plane.low, depth));
 }
 
 /// The set-up of a triangle: its edges in the order of its vertices, whichever way round it is given.
@@ -72,7 +76,7 @@ template <class F, class J>
       float{one_pixel} / to_float(t.double_area),
       {},
       {v0.inverse_w, v1.inverse_w, v2.inverse_w},
-      {{}, 0, lesser(lesser(v0.depth, v1.depth), v2.depth), greater(greater(v0.depth, v1.depth), v2.depth)}};
+      {{}, 0, minimum(minimum(v0.depth, v1.depth), v2.depth), maximum(maximum(v0.depth, v1.depth), v2.depth)}};
   const float depth[3] = {v0.depth, v1.depth, v2.depth}, unit = s.scale * (1.0f / one_pixel);
   for (int i = 0; i < 3; ++i) {
     s.rest[i] = product(to_float(s.edge[i].rest), unit);
@@ -91,8 +95,8 @@ struct triangle_boxes {
   integers double_area;
 
   IRG_INLINE triangle_boxes(const integers (&x)[3], const integers (&y)[3]) noexcept
-      : left(low_of(low_of(x[0], x[1]), x[2])), right(high_of(high_of(x[0], x[1]), x[2])),
-        top(low_of(low_of(y[0], y[1]), y[2])), bottom(high_of(high_of(y[0], y[1]), y[2])),
+      : left(minimum(minimum(x[0], x[1]), x[2])), right(maximum(maximum(x[0], x[1]), x[2])),
+        top(minimum(minimum(y[0], y[1]), y[2])), bottom(maximum(maximum(y[0], y[1]), y[2])),
         narrow(both(right - left < (1 << 15), bottom - top < (1 << 15))),
         double_area((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) {}
 };
@@ -175,8 +179,8 @@ struct covered_triangle {
     const std::int64_t corner = e(w.x_first - margin, w.y_first);
     const std::int64_t across = std::int64_t{e.right} * (w.x_last - w.x_first + 2 * margin);
     const std::int64_t along = std::int64_t{e.down} * (w.y_last - w.y_first);
-    const std::int64_t low = corner + lesser(across, std::int64_t{0}) + lesser(along, std::int64_t{0});
-    const std::int64_t high = corner + greater(across, std::int64_t{0}) + greater(along, std::int64_t{0});
+    const std::int64_t low = corner + minimum(across, std::int64_t{0}) + minimum(along, std::int64_t{0});
+    const std::int64_t high = corner + maximum(across, std::int64_t{0}) + maximum(along, std::int64_t{0});
     if (low < -limit || high > limit) return false;
   }
   return true;

@@ -46,8 +46,8 @@ inline namespace IRG_ABI {
 
 /// The pixels that both windows hold.
 [[nodiscard]] IRG_INLINE constexpr cell_window intersect(const cell_window& a, const cell_window& b) noexcept {
-  return {greater(a.x_first, b.x_first), greater(a.y_first, b.y_first), lesser(a.x_last, b.x_last),
-          lesser(a.y_last, b.y_last)};
+  return {maximum(a.x_first, b.x_first), maximum(a.y_first, b.y_first), minimum(a.x_last, b.x_last),
+          minimum(a.y_last, b.y_last)};
 }
 
 /// The pixels of a raster that drawing may touch: all, or those that within() leaves.

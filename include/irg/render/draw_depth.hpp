@@ -11,11 +11,12 @@
 namespace irg {
 
 /// How depths are drawn without colours: what is left out, and whether the target is cleared first.
-struct depth_settings {
+struct draw_depth_options {
   face_culling culling = face_culling::back;
   skip_options skip{};
   clearing clear = clearing::none;
   draw_workspace* workspace = nullptr;  // the caller's lists, kept from picture to picture; null: lists for this one
+  bool operator==(const draw_depth_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -40,8 +41,8 @@ inline namespace IRG_ABI {
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Depth, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_depth(Depth& depth, const projected_triangles<T>& triangles,
-                                  const depth_settings& settings = {}, const E& executor = {}) {
+constexpr render_counts draw_depth(Depth& depth, const projected_triangles<T>& triangles,
+                                   const draw_depth_options& settings = {}, const E& executor = {}) {
   constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
   draw_workspace own;
   auto&& rows = detail::rows_of(depth);

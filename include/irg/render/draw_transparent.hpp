@@ -22,10 +22,13 @@ namespace irg {
 
 /// How transparent faces are drawn. Both sides of glass are seen, so backs are drawn too unless told otherwise.
 template <class Blend = over_in_light>
-struct transparent_settings {
+struct transparent_options {
   face_culling culling = face_culling::none;
   skip_options skip{};
   Blend blend{};  // blend(pixel below, what a pixel shader gives) -> pixel
+  bool operator==(const transparent_options&) const
+    requires std::equality_comparable<Blend>
+  = default;
 };
 
 inline namespace IRG_ABI {
@@ -49,9 +52,9 @@ template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::ne
           RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>, class MakeShader,
           class Blend = over_in_light, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
-constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                        const MakeShader& make_shader, const transparent_settings<Blend>& settings = {},
-                                        const E& executor = {});
+constexpr render_counts draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                         const MakeShader& make_shader, const transparent_options<Blend>& settings = {},
+                                         const E& executor = {});
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -92,7 +95,7 @@ struct farthest_depths {
     if ((known >> i & 1) != 0) return farthest[i];
     known |= std::uint64_t{1} << i;
     const int x_first = window.x_first + bx * block, y_first = window.y_first + by * block;
-    const int x_last = lesser(x_first + block, window.x_last), y_last = lesser(y_first + block, window.y_last);
+    const int x_last = minimum(x_first + block, window.x_last), y_last = minimum(y_first + block, window.y_last);
     bool any = false;
     float hidden_at = 0;
     for (int y = y_first; y < y_last; ++y) {
@@ -227,9 +230,9 @@ namespace irg::inline IRG_ABI {
 template <DepthOrder Order, depth_test Test, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
           class Blend, Executor E>
   requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
-constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                        const MakeShader& make_shader, const transparent_settings<Blend>& settings,
-                                        const E& executor) {
+constexpr render_counts draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                         const MakeShader& make_shader, const transparent_options<Blend>& settings,
+                                         const E& executor) {
   const detail::picture_tiles grid(width_of(target.colour), height_of(target.colour));
   const std::span<const triangle_batch<T>> batches = triangles.batches();
   detail::triangle_bins bins;
@@ -247,7 +250,7 @@ constexpr render_stats draw_transparent(render_target<Colour, Depth> target, con
                                               bins.tile_first[i + 1] - bins.tile_first[i]);
     done[i] = detail::blend_tile<Test, Order>(tiles, list, grid.window(i));
   });
-  render_stats stats;
+  render_counts stats;
   for (const draw_counts& c : done) stats.pixels += c;
   detail::add_skips(stats, bins, seen, settings.skip);
   return stats;

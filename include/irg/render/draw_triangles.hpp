@@ -14,13 +14,14 @@ namespace irg {
 
 /// How drawing is set up: what is left out, and what the picture is cleared to first, if it is.
 template <class P>
-struct draw_settings {
+struct draw_options {
   face_culling culling = face_culling::back;
   skip_options skip{};
   clearing clear = clearing::none;
   P background{};
   depth_result depth = depth_result::kept;
   draw_workspace* workspace = nullptr;  // the caller's lists, kept from picture to picture; null: lists for this one
+  bool operator==(const draw_options&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -37,9 +38,9 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
           RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
-constexpr render_stats shade_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                     const MakeShader& make_shader,
-                                     const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {});
+constexpr render_counts shade_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                      const MakeShader& make_shader,
+                                      const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {});
 
 /// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
@@ -47,9 +48,9 @@ template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster C
   requires std::same_as<pixel_of<Depth>, float> && requires(const MakeShader& make_shader) {
     { make_shader(std::uint32_t{}, facing::front) } -> PixelShader<pixel_of<Colour>>;
   }
-constexpr render_stats shade_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                       const MakeShader& make_shader,
-                                       const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+constexpr render_counts shade_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                        const MakeShader& make_shader,
+                                        const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   return shade_batches<Order>(
       target, triangles, [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); },
       settings, executor);
@@ -98,9 +99,9 @@ namespace irg::inline IRG_ABI {
 
 template <DepthOrder Order, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader, Executor E>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
-constexpr render_stats shade_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                     const MakeShader& make_shader, const draw_settings<pixel_of<Colour>>& settings,
-                                     const E& executor) {
+constexpr render_counts shade_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                      const MakeShader& make_shader, const draw_options<pixel_of<Colour>>& settings,
+                                      const E& executor) {
   draw_workspace own;
   auto&& colour = detail::rows_of(target.colour);
   auto&& depth = detail::rows_of(target.depth);

@@ -21,6 +21,7 @@ struct drawable {
   std::vector<vec<T, 3>> normals;  // zero where the mesh gives no direction
   std::vector<triangle_indices> triangles;
   std::vector<std::uint32_t> face_of;
+  bool operator==(const drawable&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -30,15 +31,15 @@ namespace detail::inline IRG_ABI {
 template <class T>
 class corner_vertices {
 public:
-  constexpr explicit corner_vertices(std::size_t positions) : first_(positions, mesh_corner::none) {}
+  constexpr explicit corner_vertices(std::size_t positions) : first_(positions, no_index) {}
 
   constexpr std::uint32_t operator()(const mesh<T>& m, const mesh_corner& c, drawable<T>& out) {
     int looks = 64;
-    for (std::uint32_t v = first_[c.position]; v != mesh_corner::none && looks > 0; v = next_[v], --looks)
+    for (std::uint32_t v = first_[c.position]; v != no_index && looks > 0; v = next_[v], --looks)
       if (normal_[v] == c.normal) return v;
     const auto v = static_cast<std::uint32_t>(out.positions.size());
     out.positions.push_back(m.positions[c.position]);
-    out.normals.push_back(c.normal == mesh_corner::none ? vec<T, 3>{} : m.normals[c.normal]);
+    out.normals.push_back(c.normal == no_index ? vec<T, 3>{} : m.normals[c.normal]);
     normal_.push_back(c.normal);
     next_.push_back(first_[c.position]);
     first_[c.position] = v;
@@ -59,7 +60,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr drawable<T> make_drawable(mesh<T> m) {
   bool has_normals = !m.normals.empty();
-  for (const mesh_corner& c : m.corners) has_normals = has_normals && c.normal != mesh_corner::none;
+  for (const mesh_corner& c : m.corners) has_normals = has_normals && c.normal != no_index;
   if (!has_normals) assign_vertex_normals(m, normal_weight::average);
   drawable<T> out;
   out.positions.reserve(m.positions.size());

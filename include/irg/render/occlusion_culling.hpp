@@ -28,6 +28,7 @@ template <Floating T>
 struct object_extent {
   box<T, 3> bounds;
   std::size_t triangles = 0;
+  bool operator==(const object_extent&) const = default;
 };
 
 /// An object that may be left out.
@@ -77,7 +78,7 @@ struct occlusion_view {
   projected_vertices<T> vertices;
 
   IRG_INLINE constexpr occlusion_view(const mat<T, 4, 4>& matrix, int w, int h, float key_sign, float farthest_key)
-      : to_clip(matrix), mapping(map_to_screen<T>({greater(w, 1), greater(h, 1)})), width(w), height(h), sign(key_sign),
+      : to_clip(matrix), mapping(map_to_screen<T>({maximum(w, 1), maximum(h, 1)})), width(w), height(h), sign(key_sign),
         farthest(farthest_key), frustum(to_clip, mapping) {}
   IRG_INLINE constexpr bool has_pixels() const noexcept { return width > 0 && height > 0; }
 };
@@ -238,7 +239,7 @@ constexpr void cover_block(block_mask& m, std::size_t block, std::uint64_t bits,
     layer_key = key;
   } else if (layer_key - key <= key - farthest) {
     layer |= bits;
-    layer_key = lesser(layer_key, key);
+    layer_key = minimum(layer_key, key);
   }
   if (layer != whole_block) return;
   farthest = layer_key;
@@ -256,14 +257,14 @@ constexpr void limit_columns(block_columns& c, const triangle_edge& e, int by) n
   const std::int64_t across = e.right * far_side, along = e.down * far_side, zero = 0;
   const auto limit = [&](std::int64_t f, std::int64_t& first, std::int64_t& last) {
     if (step > 0)
-      first = greater(first, -floor_div(f, step));
+      first = maximum(first, -floor_div(f, step));
     else if (step < 0)
-      last = lesser(last, floor_div(f, -step) + 1);
+      last = minimum(last, floor_div(f, -step) + 1);
     else if (f < 0)
       last = first;
   };
-  limit(at_start + greater(across, zero) + greater(along, zero), c.first, c.last);
-  limit(at_start + lesser(across, zero) + lesser(along, zero), c.inner_first, c.inner_last);
+  limit(at_start + maximum(across, zero) + maximum(along, zero), c.first, c.last);
+  limit(at_start + minimum(across, zero) + minimum(along, zero), c.inner_first, c.inner_last);
 }
 
 // A plane of keys: that of a pixel is (base + right * X) + down * Y, with (X, Y) counted from vertex 0 in 1/256 pixel,
@@ -283,19 +284,19 @@ constexpr key_plane plane_below(const screen_vertex& a, const screen_vertex& b, 
   const auto absolute = [](float v) { return v < 0 ? -v : v; };
   const subpixel &p = a.position, &q = b.position, &r = c.position;
   const float x1 = number(q.x - p.x), y1 = number(q.y - p.y), x2 = number(r.x - p.x), y2 = number(r.y - p.y);
-  const float width = number(greater(greater(p.x, q.x), r.x) - lesser(lesser(p.x, q.x), r.x)),
-              height = number(greater(greater(p.y, q.y), r.y) - lesser(lesser(p.y, q.y), r.y));
+  const float width = number(maximum(maximum(p.x, q.x), r.x) - minimum(minimum(p.x, q.x), r.x)),
+              height = number(maximum(maximum(p.y, q.y), r.y) - minimum(minimum(p.y, q.y), r.y));
   const float key0 = product(a.depth, sign), key1 = product(b.depth, sign), key2 = product(c.depth, sign);
   const float inverse = 1.0f / number(twice_signed_area(p, q, r)), k1 = key1 - key0, k2 = key2 - key0;
   const float right1 = product(k1, y2), right2 = product(k2, y1), down1 = product(k2, x1), down2 = product(k1, x2);
   const float size_right = product(absolute(right1) + absolute(right2), absolute(inverse)),
               size_down = product(absolute(down1) + absolute(down2), absolute(inverse));
   const float size = (product(size_right, width) + product(size_down, height)) +
-                     greater(greater(absolute(key0), absolute(key1)), absolute(key2));
+                     maximum(maximum(absolute(key0), absolute(key1)), absolute(key2));
   // Each path from vertices to a key takes less than 12 roundings of 2^-24, and shade_triangle's errs by 8 of them.
   const float bias = product(size, 0x1p-19f) + 0x1p-140f;
   return {key0 - bias, product(right1 - right2, inverse), product(down1 - down2, inverse),
-          lesser(lesser(key0, key1), key2)};
+          minimum(minimum(key0, key1), key2)};
 }
 
 // From a vertex to the centre of a pixel, in 1/256 pixel; exact.
@@ -318,7 +319,7 @@ constexpr void draw_block_mask(block_mask& m, const screen_vertex& a, const scre
     const float rise = plane.rise(offset_to(by * block_size + down, a.position.y));
     const auto key_of = [&](int bx) {
       const float key = plane.across(offset_to(bx * block_size + right, a.position.x)) + rise;
-      return greater(plane.low, key);
+      return maximum(plane.low, key);
     };
     const auto in_part = [&](std::int64_t from, std::int64_t to) {
       for (std::int64_t i = from; i < to; ++i) {
@@ -404,7 +405,7 @@ constexpr std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v
     if (pixels / n >= least_occluder_pixels) candidates.push_back({pixels / n, pixels, static_cast<std::uint32_t>(i)});
   }
   std::sort(candidates.begin(), candidates.end());
-  std::int64_t pixels_left = 4 * picture, triangles_left = greater(triangles / 16, std::int64_t{64});
+  std::int64_t pixels_left = 4 * picture, triangles_left = maximum(triangles / 16, std::int64_t{64});
   for (const occluder_worth& w : candidates) {
     const auto n = static_cast<std::int64_t>(object(w.object).triangles);
     if (n > triangles_left) continue;

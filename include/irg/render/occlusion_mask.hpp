@@ -28,7 +28,7 @@ struct occluder_counts {
   skip_counts skipped;  // `occluded` is not counted
   std::int64_t drawn = 0;  // triangles that were not skipped
 
-  constexpr bool operator==(const occluder_counts&) const = default;
+  bool operator==(const occluder_counts&) const = default;
 };
 
 /// How far a question had to be followed up. Added to, so that the counts of many questions come to a sum.
@@ -36,7 +36,7 @@ struct occlusion_counts {
   std::int64_t visible = 0, occluded = 0, outside = 0;  // answers
   std::int64_t tiles = 0, blocks = 0, pixels = 0;  // depths that were compared
 
-  constexpr bool operator==(const occlusion_counts&) const = default;
+  bool operator==(const occlusion_counts&) const = default;
 };
 
 namespace detail {
@@ -81,12 +81,12 @@ constexpr farthest_keys farthest_of(const visible_window& v) noexcept {
   for (int by = 0; by < blocks_across; ++by) {
     float least[tile_size];
     for (float& column : least) column = infinity;
-    for (int y = by * block_size; y < lesser((by + 1) * block_size, height); ++y)
-      for (int x = 0; x < tile_size; ++x) least[x] = low_of(v.key[y * tile_stride + x], least[x]);
+    for (int y = by * block_size; y < minimum((by + 1) * block_size, height); ++y)
+      for (int x = 0; x < tile_size; ++x) least[x] = minimum(v.key[y * tile_stride + x], least[x]);
     for (int bx = 0; bx < blocks_across; ++bx) {
       float& block = keys.block[by * blocks_across + bx] = infinity;
-      for (int x = 0; x < block_size; ++x) block = lesser(least[bx * block_size + x], block);
-      keys.tile = lesser(block, keys.tile);
+      for (int x = 0; x < block_size; ++x) block = minimum(least[bx * block_size + x], block);
+      keys.tile = minimum(block, keys.tile);
     }
   }
   return keys;

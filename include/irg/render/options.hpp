@@ -19,6 +19,7 @@ enum class hidden_surface_method { zbuffer, none };
 struct picture_colours {
   rgba8 background{250, 249, 246, 255};
   rgba8 line{32, 44, 66, 255};
+  bool operator==(const picture_colours&) const = default;
 };
 
 struct render_options {
@@ -28,6 +29,7 @@ struct render_options {
   skip_options skip{};
   intensity_range intensities = intensity_range::clamp;  // rescale: by the brightest channel of a pixel that is seen
   picture_colours colours{};
+  bool operator==(const render_options&) const = default;
 };
 
 }  // namespace irg

@@ -20,7 +20,7 @@ template <Floating T>
 struct picked_point {
   std::size_t object = 0, face = 0;
   point<T, 3> at{};
-  constexpr bool operator==(const picked_point&) const = default;
+  bool operator==(const picked_point&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -42,8 +42,8 @@ inline namespace IRG_ABI {
 template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
           Executor E = sequential, class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth> target,
-                              const render_options& options = {}, const E& executor = {}, Observer&& observer = {});
+constexpr render_counts render(const scene<T>& world, render_target<Colour, Depth> target,
+                               const render_options& options = {}, const E& executor = {}, Observer&& observer = {});
 
 /// Renders a scene with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as
 /// ever.
@@ -55,12 +55,12 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
 template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
           HiddenSurfaceMethod<T> Method, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
-                                   render_options options = {}, const E& executor = {});
+constexpr render_counts render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+                                    render_options options = {}, const E& executor = {});
 template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
           HiddenSurfaceMethod<T> Method, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-[[deprecated("irg: render_with(method, world, target, ..)")]] constexpr render_stats render(
+[[deprecated("irg: render_with(method, world, target, ..)")]] constexpr render_counts render(
     const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
     const render_options& options = {}, const E& executor = {}) {
   return render_with(method, world, target, options, executor);
@@ -74,8 +74,8 @@ template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = im
 template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
           Executor E = sequential, class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, Depth> target,
-                              const render_options& options = {}, const E& executor = {}, Observer&& observer = {});
+constexpr render_counts render(prepared_scene<T>& world, render_target<Colour, Depth> target,
+                               const render_options& options = {}, const E& executor = {}, Observer&& observer = {});
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -247,8 +247,8 @@ struct styled_objects {
 
 // Clears the picture and draws the objects, Output deciding what becomes of light.
 template <class Output, class Method, class T, class Target>
-constexpr render_stats draw_styled(const Method& method, const styled_objects<T>& s, const Target& to,
-                                   const executor_ref& executor) {
+constexpr render_counts draw_styled(const Method& method, const styled_objects<T>& s, const Target& to,
+                                    const executor_ref& executor) {
   const auto draw = [&]<class Shading>(const Shading& shading) {
     return draw_tiles<T>(method, to.depth,
                          {s.batches, s.mapping, s.lists, s.options.culling, s.options.skip, clearing::before_drawing},
@@ -263,16 +263,16 @@ constexpr render_stats draw_styled(const Method& method, const styled_objects<T>
 
 // As draw_styled; if some pixel is brighter than 1, all light of the picture is divided by the brightest channel's.
 template <class Method, class T, class Target>
-constexpr render_stats draw_rescaled(const Method& method, const styled_objects<T>& s, const Target& to,
-                                     const executor_ref& executor) {
+constexpr render_counts draw_rescaled(const Method& method, const styled_objects<T>& s, const Target& to,
+                                      const executor_ref& executor) {
   constexpr int rows = 64;
   const int width = width_of(to.colour), height = height_of(to.colour);
   image<rgb<float>> light(width, height);
-  const render_stats stats = draw_styled<light_itself>(method, s, picture_target{light, to.depth, {}}, executor);
+  const render_counts stats = draw_styled<light_itself>(method, s, picture_target{light, to.depth, {}}, executor);
   const auto in_portions = [&](const auto& f) {
     executor(static_cast<std::size_t>((height + rows - 1) / rows), [&](std::size_t i) {
       const int first = static_cast<int>(i) * rows;
-      for (int y = first; y < lesser(first + rows, height); ++y) f(i, y);
+      for (int y = first; y < minimum(first + rows, height); ++y) f(i, y);
     });
   };
   std::vector<float> largest_of(static_cast<std::size_t>((height + rows - 1) / rows), 1.0f);
@@ -280,7 +280,7 @@ constexpr render_stats draw_rescaled(const Method& method, const styled_objects<
     for (int x = 0; x < width; ++x) largest_of[i] = largest_channel(largest_of[i], light(x, y));
   });
   float largest = 1.0f;
-  for (const float l : largest_of) largest = greater(l, largest);
+  for (const float l : largest_of) largest = maximum(l, largest);
   const auto row_of = []<class R>(R& raster, int y) { return raster_traits<R>::row(raster, y); };
   in_portions([&](std::size_t, int y) {
     const float* const depths = row_of(to.depth, y);
@@ -312,13 +312,13 @@ struct named_method {
 
 // The faces of all objects.
 template <class Method, class T, class Run>
-constexpr render_stats draw_objects(const Method& method, const picture_frame<T>& f, const projected_objects<T>& seen,
-                                    drawing_lists& lists, const Run& run) {
+constexpr render_counts draw_objects(const Method& method, const picture_frame<T>& f, const projected_objects<T>& seen,
+                                     drawing_lists& lists, const Run& run) {
   const styled_objects<T> styled{seen.shadings, seen.batches, f.mapping, f.options, lists};
   const picture_target to{run.colour, run.depth, f.options.colours.background};
-  render_stats stats = f.options.intensities == intensity_range::rescale
-                           ? draw_rescaled(method, styled, to, run.executor)
-                           : draw_styled<encoded_light>(method, styled, to, run.executor);
+  render_counts stats = f.options.intensities == intensity_range::rescale
+                            ? draw_rescaled(method, styled, to, run.executor)
+                            : draw_styled<encoded_light>(method, styled, to, run.executor);
   stats.triangles += seen.chosen.beyond + seen.chosen.occluded;
   stats.skipped.frustum += seen.chosen.beyond;
   stats.skipped.occluded += seen.chosen.occluded;
@@ -339,11 +339,11 @@ constexpr std::int64_t count_other_than(R& raster, const pixel_of<R>& background
 
 // The edges of all objects.
 template <class T, class Run>
-constexpr render_stats draw_wire(const picture_frame<T>& f, const picture_objects<T>& objects,
-                                 std::span<const std::uint32_t> candidates, const Run& run) {
+constexpr render_counts draw_wire(const picture_frame<T>& f, const picture_objects<T>& objects,
+                                  std::span<const std::uint32_t> candidates, const Run& run) {
   clear(run.colour, f.options.colours.background);
   clear(run.depth, named_method{f.options.hidden}.farthest());
-  render_stats stats;
+  render_counts stats;
   for (const std::uint32_t k : candidates) {
     mesh<T> moved;
     if (!objects.source.empty()) moved = transformed(objects.source[k].shape, objects.source[k].placement);
@@ -360,8 +360,8 @@ constexpr render_stats draw_wire(const picture_frame<T>& f, const picture_object
 
 // All of it, for the candidates among the objects.
 template <class T, class Run>
-constexpr render_stats draw_picture(const picture_frame<T>& f, const picture_objects<T>& objects,
-                                    std::span<const std::uint32_t> candidates, drawing_lists& lists, const Run& run) {
+constexpr render_counts draw_picture(const picture_frame<T>& f, const picture_objects<T>& objects,
+                                     std::span<const std::uint32_t> candidates, drawing_lists& lists, const Run& run) {
   if (f.options.style == picture_style::wire) return draw_wire(f, objects, candidates, run);
   const projected_objects<T> seen = project_objects(f, objects, candidates, run.executor, run.observer);
   return draw_objects(named_method{f.options.hidden}, f, seen, lists, run);
@@ -374,8 +374,8 @@ namespace irg::inline IRG_ABI {
 
 template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth> target, const render_options& options,
-                              const E& executor, Observer&& observer) {
+constexpr render_counts render(const scene<T>& world, render_target<Colour, Depth> target,
+                               const render_options& options, const E& executor, Observer&& observer) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   for ([[maybe_unused]] const object<T>& o : world.objects)
     IRG_EXPECTS(validate_faces(o.shape).defect == mesh_defect::none);
@@ -391,8 +391,8 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
 
 template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
-                                   render_options options, const E& executor) {
+constexpr render_counts render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+                                    render_options options, const E& executor) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   options.skip.occluded = skipping::off;
@@ -413,7 +413,7 @@ constexpr render_stats render_with(const Method& method, const scene<T>& world, 
       if (is_convex_body(world.objects[seen.chosen.drawn[i]].shape)) bodies.note(seen.batches[i]);
   auto&& colour = detail::rows_of(target.colour);
   auto&& depth = detail::rows_of(target.depth);
-  image<std::uint32_t> ids(width, height, no_face);
+  image<std::uint32_t> ids(width, height, no_index);
   detail::drawing_lists lists;
   return detail::draw_objects(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
                               frame, seen, lists, detail::picture_run{colour, depth, executor_of_all, nobody});
@@ -421,8 +421,8 @@ constexpr render_stats render_with(const Method& method, const scene<T>& world, 
 
 template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, Depth> target,
-                              const render_options& options, const E& executor, Observer&& observer) {
+constexpr render_counts render(prepared_scene<T>& world, render_target<Colour, Depth> target,
+                               const render_options& options, const E& executor, Observer&& observer) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   auto&& colour = detail::rows_of(target.colour);

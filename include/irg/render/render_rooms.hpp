@@ -62,8 +62,8 @@ visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors, const came
 template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
           Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
-                              const render_options& options = {}, const E& executor = {});
+constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
+                               const render_options& options = {}, const E& executor = {});
 
 }  // namespace IRG_ABI
 }  // namespace irg
@@ -115,8 +115,8 @@ private:
 
   static constexpr cell_window around(const cell_window& a, const cell_window& b) noexcept {
     if (a.empty() || b.empty()) return a.empty() && !b.empty() ? b : a;
-    return {lesser(a.x_first, b.x_first), lesser(a.y_first, b.y_first), greater(a.x_last, b.x_last),
-            greater(a.y_last, b.y_last)};
+    return {minimum(a.x_first, b.x_first), minimum(a.y_first, b.y_first), maximum(a.x_last, b.x_last),
+            maximum(a.y_last, b.y_last)};
   }
 
   // Whether a point of the near plane may lie in a cell, so that rays begin in it.
@@ -177,8 +177,8 @@ template <Floating T>
 
 template <Floating T, RowRaster Colour, RowRaster Depth, Executor E>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
-                              const render_options& options, const E& executor) {
+constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
+                               const render_options& options, const E& executor) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());
@@ -195,7 +195,7 @@ constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour,
   const no_observer observer;
   auto&& colour = detail::rows_of(target.colour);
   auto&& depth = detail::rows_of(target.depth);
-  render_stats stats = detail::draw_picture<T>(
+  render_counts stats = detail::draw_picture<T>(
       {building.world, width, height, options}, {building.world.objects}, candidates,
       detail::lists_of(building.world.workspace),
       detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});

@@ -21,7 +21,7 @@ namespace irg {
 /// shape   optic i belongs to object i; objects beyond their number are opaque and mirror nothing
 template <Floating T>
 struct traced_options {
-  trace_limits<T> limits{};
+  trace_options<T> limits{};
   int samples = 1;
   face_culling culling = face_culling::back;
   picture_colours colours{};  // of which the background is seen
@@ -52,7 +52,7 @@ namespace detail::inline IRG_ABI {
 template <class T>
 struct traced_shading {
   const ray_world<T>& world;
-  const trace_limits<T>& limits;
+  const trace_options<T>& limits;
   point<T, 3> eye;
 
   struct pixel_shader {
@@ -102,11 +102,11 @@ inline namespace IRG_ABI {
 /// source  Whitted 1980
 template <Floating T, RowRaster Colour, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8>
-constexpr render_stats render_traced(const scene<T>& world, Colour& colour, const traced_options<T>& options = {},
-                                     const E& executor = {}) {
+constexpr render_counts render_traced(const scene<T>& world, Colour& colour, const traced_options<T>& options = {},
+                                      const E& executor = {}) {
   if (width_of(colour) == 0 || height_of(colour) == 0) return {};
-  const int longer = greater(width_of(colour), height_of(colour));
-  const int samples = clamp(lesser(options.samples, 65536 / longer), 1, 16);
+  const int longer = maximum(width_of(colour), height_of(colour));
+  const int samples = clamped(minimum(options.samples, 65536 / longer), 1, 16);
   const int width = width_of(colour) * samples, height = height_of(colour) * samples;
   prepared_scene<T> ready = prepare_scene(world);
   std::vector<traced_body<T>> bodies;
@@ -128,7 +128,7 @@ constexpr render_stats render_traced(const scene<T>& world, Colour& colour, cons
   image<rgb<float>> light(width, height);
   image<float> depth(width, height);
   const detail::traced_shading<T> shading{rays, options.limits, viewpoint(world.view)};
-  const render_stats stats =
+  const render_counts stats =
       shade_batches<nearer_is_greater>(render_target{light, depth}, projected_triangles<T>{batches, mapping}, shading,
                                        {.culling = options.culling,
                                         .clear = clearing::before_drawing,
@@ -140,7 +140,7 @@ constexpr render_stats render_traced(const scene<T>& world, Colour& colour, cons
 }
 template <Floating T, RowRaster Colour, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8>
-[[deprecated("irg: render_traced(world, picture, {.optics = ..}, executor)")]] constexpr render_stats render_traced(
+[[deprecated("irg: render_traced(world, picture, {.optics = ..}, executor)")]] constexpr render_counts render_traced(
     const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic, Colour& colour,
     traced_options<T> options = {}, const E& executor = {}) {
   options.optics = optic;

@@ -14,7 +14,7 @@ namespace irg::inline IRG_ABI {
 /// needs   a scene as render needs it
 /// cost    as bsp_tree_3d
 template <Floating T>
-[[nodiscard]] constexpr bsp_tree_3d<T> make_scene_bsp(const scene<T>& world, const bsp_choice& choice = {}) {
+[[nodiscard]] constexpr bsp_tree_3d<T> make_scene_bsp(const scene<T>& world, const bsp_options& choice = {}) {
   std::vector<point<T, 3>> vertices;
   std::vector<triangle_indices> triangles;
   for (const object<T>& o : world.objects) {
@@ -32,9 +32,9 @@ template <Floating T>
 template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
           Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render_with(const bsp_tree_3d<T>& tree, const scene<T>& world,
-                                   render_target<Colour, Depth> target, render_options options = {},
-                                   const E& executor = {}) {
+constexpr render_counts render_with(const bsp_tree_3d<T>& tree, const scene<T>& world,
+                                    render_target<Colour, Depth> target, render_options options = {},
+                                    const E& executor = {}) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   options.skip.frustum = skipping::off;  // objects that are left out are not counted
@@ -45,7 +45,7 @@ constexpr render_stats render_with(const bsp_tree_3d<T>& tree, const scene<T>& w
 template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
           Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-[[deprecated("irg: render_with(tree, world, target, ..)")]] constexpr render_stats render(
+[[deprecated("irg: render_with(tree, world, target, ..)")]] constexpr render_counts render(
     const bsp_tree_3d<T>& tree, const scene<T>& world, render_target<Colour, Depth> target,
     const render_options& options = {}, const E& executor = {}) {
   return render_with(tree, world, target, options, executor);

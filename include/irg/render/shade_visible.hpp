@@ -32,7 +32,7 @@ inline namespace IRG_ABI {
 
 /// Colours a picture from the numbers of the triangles that its pixels show, and returns what it did.
 /// shape   colour, depth and ids have one size; triangles and make_shader as for shade_batches
-/// gives   the depths of what is seen too; pixels whose id is no_face, or names a face that does not cover the pixel,
+/// gives   the depths of what is seen too; pixels whose id is no_index, or names a face that does not cover the pixel,
 ///         is at the farthest depth there, culled or not there, show the background, or keep what they have where
 ///         nothing is cleared
 /// exact   with the ids of draw_visibility the bytes of shade_batches; the same for every executor
@@ -40,9 +40,9 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
           RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
-constexpr render_stats shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
-                                     const MakeShader& make_shader,
-                                     const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+constexpr render_counts shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
+                                      const MakeShader& make_shader,
+                                      const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   const detail::ids_as_they_are method{};
   draw_workspace own;
   auto&& colour = detail::rows_of(target.colour);

@@ -41,7 +41,7 @@ namespace detail::inline IRG_ABI {
 // needs   count > 0
 IRG_INLINE constexpr std::size_t texture_index(float number, std::size_t count) noexcept {
   const float last = static_cast<float>(count - 1);  // rounded up, maybe, beyond 2^24
-  return lesser(static_cast<std::size_t>(clamp(number, 0.0f, last)), count - 1);
+  return minimum(static_cast<std::size_t>(clamped(number, 0.0f, last)), count - 1);
 }
 
 }  // namespace detail::inline IRG_ABI

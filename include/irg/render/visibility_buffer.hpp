@@ -23,7 +23,7 @@ struct number_tiles final : tile_finish<T> {
   clearing clear_first;
 
   constexpr number_tiles(Ids& to, clearing first) noexcept : ids(to), clear_first(first) {}
-  constexpr void clear(const cell_window& w) const override { clear_window(ids, w, no_face); }
+  constexpr void clear(const cell_window& w) const override { clear_window(ids, w, no_index); }
   constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const override {
     if (clear_first == clearing::before_drawing) clear(v.window);
     std::int64_t shown = 0;
@@ -31,7 +31,7 @@ struct number_tiles final : tile_finish<T> {
       std::uint32_t* row = raster_traits<Ids>::row(ids, y);
       const std::uint32_t* place = v.place + (y - v.window.y_first) * tile_stride;
       for (int x = v.window.x_first; x < v.window.x_last; ++x, ++place) {
-        if (*place == no_face) continue;
+        if (*place == no_index) continue;
         row[x] = find.source(v.numbers[*place]);
         ++shown;
       }
@@ -47,7 +47,7 @@ inline namespace IRG_ABI {
 /// Draws the numbers of visible triangles (first_number of their batch, and their place in it) and their depths.
 /// shape   drawn into {ids, depth}; first_number of the batches counts their triangles through
 /// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
-/// gives   no_face where nothing is seen, if cleared first, else what was there; of equally near triangles the
+/// gives   no_index where nothing is seen, if cleared first, else what was there; of equally near triangles the
 ///         first; triangles with a corner that is not finite are left out, and those that name a vertex that is not
 ///         there
 /// exact   the depths and triangles of shade_batches, the same bytes for every executor and all skips on and off
@@ -56,8 +56,8 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image_view<std::uint32_t>,
           RowRaster Depth = image_view<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
-                                       const depth_settings& settings = {}, const E& executor = {}) {
+constexpr render_counts draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
+                                        const draw_depth_options& settings = {}, const E& executor = {}) {
   draw_workspace own;
   auto&& ids = detail::rows_of(target.colour);
   auto&& depth = detail::rows_of(target.depth);

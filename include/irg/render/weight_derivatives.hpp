@@ -54,12 +54,13 @@ struct weight_derivatives {
     return {change(right[0], at.weight1, right[2]), change(right[1], at.weight2, right[2]),
             change(down[0], at.weight1, down[2]), change(down[1], at.weight2, down[2])};
   }
+  bool operator==(const weight_derivatives&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
 
 // A float, not beyond the range of floats.
-IRG_INLINE constexpr float limited_float(double x) noexcept { return converted<float>(clamp(x, -0x1p100, 0x1p100)); }
+IRG_INLINE constexpr float limited_float(double x) noexcept { return converted<float>(clamped(x, -0x1p100, 0x1p100)); }
 
 }  // namespace detail::inline IRG_ABI
 
@@ -80,7 +81,7 @@ template <Floating T>
     const double w = widened(v.w);
     p[i] = {product(widened(v.x), widened(mapping.half_width)), -product(widened(v.y), widened(mapping.half_height)),
             w};
-    largest = greater(largest, w < 0 ? -w : w);
+    largest = maximum(largest, w < 0 ? -w : w);
   }
   if (!(0 < largest)) return {};
   for (vec<double, 3>& v : p) v = {v.x / largest, v.y / largest, v.z / largest};

@@ -59,7 +59,7 @@ struct make_window_faces {
 /// A way to find out what is visible, called once for every window of the picture that some face touches:
 ///     method(faces, window, ids, counts)
 /// It writes into the ids of the window's pixels the number of the face that is seen there, which covers the pixel's
-/// centre, and leaves the others as they are: no_face. It counts in `counts` what it tested and found to tie. Windows
+/// centre, and leaves the others as they are: no_index. It counts in `counts` what it tested and found to tie. Windows
 /// do not overlap, and executors may ask for several at the same time.
 template <class M, class T>
 concept HiddenSurfaceMethod =

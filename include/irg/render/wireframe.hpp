@@ -42,13 +42,13 @@ inline namespace IRG_ABI {
 /// exact   the same pixels for every executor, and with drawn.frustum on and off; lines by line_bresenham from the
 ///         smaller vertex index to the larger
 template <Floating T = double, RowRaster Colour, Executor E = sequential>
-constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
-                                      face_culling culling = face_culling::none, const E& executor = {});
+constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
+                                       face_culling culling = face_culling::none, const E& executor = {});
 
 /// The same of floats.
 template <RowRaster Colour, Executor E = sequential>
-constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<float>& drawn, const pixel_of<Colour>& line,
-                                      face_culling culling = face_culling::none, const E& executor = {}) {
+constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<float>& drawn, const pixel_of<Colour>& line,
+                                       face_culling culling = face_culling::none, const E& executor = {}) {
   return draw_wireframe<float>(colour, drawn, line, culling, executor);
 }
 
@@ -87,7 +87,7 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
 
 // An edge between two vertices as one number, the smaller index first: the same for both faces that share it.
 IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noexcept {
-  return std::uint64_t{lesser(p, q)} << 32 | greater(p, q);
+  return std::uint64_t{minimum(p, q)} << 32 | maximum(p, q);
 }
 
 // The line of an edge; not seen when it is out of sight, or a vertex is not there.
@@ -139,12 +139,12 @@ constexpr bool lies_beyond(const Drawn& drawn, std::size_t f, const cell_window&
 namespace irg::inline IRG_ABI {
 
 template <Floating T, RowRaster Colour, Executor E>
-constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
-                                      face_culling culling, const E& executor) {
+constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
+                                       face_culling culling, const E& executor) {
   const auto& [vertices, m, mapping, frustum] = drawn;
   const cell_window picture{0, 0, width_of(colour), height_of(colour)};
   const bool may_skip = frustum == skipping::on && vertices.any.outside != 0;
-  render_stats stats;
+  render_counts stats;
   std::vector<std::uint64_t> edges;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const std::size_t corners = m.face_size(f);
@@ -170,7 +170,7 @@ constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& d
   executor(shaded.size(), [&](std::size_t band) {
     const int y = static_cast<int>(band) * rows;
     for (const detail::line_on_screen& l : lines)
-      line_bresenham(l.from, l.to, {0, y, width_of(colour), lesser(y + rows, height)}, [&](cell c) {
+      line_bresenham(l.from, l.to, {0, y, width_of(colour), minimum(y + rows, height)}, [&](cell c) {
         set_pixel(colour, c.x, c.y, line);
         ++shaded[band];
       });

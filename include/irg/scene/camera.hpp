@@ -31,6 +31,7 @@ struct camera {
   T near_distance = T(0.001);
   T far_distance = std::numeric_limits<T>::infinity();
   oblique_depth<T> receding{};  // in oblique projection: what is at the target's depth stays where it is
+  bool operator==(const camera&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -87,8 +88,8 @@ template <Floating T>
     return p.ok() ? checked_projection(p.value * view * detail::scale_towards_one(c.near_distance)) : p;
   }
   const T away = length(c.target - c.eye), least = (std::numeric_limits<T>::min)();
-  const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
-  const T width = greater(height * aspect, least);
+  const T height = maximum((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
+  const T width = maximum(height * aspect, least);
   const auto p =
       c.projection == projection_kind::oblique
           ? oblique_checked(oblique_depth<T>{c.receding.angle, c.receding.factor, -away},
@@ -116,7 +117,7 @@ template <Floating T>
       c.projection == projection_kind::oblique ? direction_to_viewer(c.receding) : vec<T, 3>{T(0), T(0), T(1)};
   const vec<T, 3> to_viewer = transpose(submatrix(view, 3, 3)) * seen;
   constexpr T room = (std::numeric_limits<T>::max)() / T(0x1p33);
-  const auto size = [](T x) { return lesser(magnitude(x), room); };
+  const auto size = [](T x) { return minimum(magnitude(x), room); };
   const T reach = size(length(c.target - c.eye)) + size(c.near_distance) + size(c.far_distance);
   return c.eye + to_viewer * (reach * T(0x1p30));
 }
@@ -128,11 +129,11 @@ template <Floating T>
                                                    std::type_identity_t<T> radius) noexcept {
   const T away = length(centre - c.eye) + radius;
   if (c.projection == projection_kind::perspective) {
-    c.near_distance = greater(away / T(1000), (std::numeric_limits<T>::min)());
+    c.near_distance = maximum(away / T(1000), (std::numeric_limits<T>::min)());
     c.far_distance = std::numeric_limits<T>::infinity();
   } else {
     c.near_distance = -away;  // parallel rays come from behind the eye as well
-    c.far_distance = greater(away, (std::numeric_limits<T>::min)());
+    c.far_distance = maximum(away, (std::numeric_limits<T>::min)());
   }
   return c;
 }
@@ -151,11 +152,11 @@ template <Floating T>
     const T x = product(like.receding.factor, cos(like.receding.angle));
     const T y = product(like.receding.factor, sin(like.receding.angle));
     const T high = product(radius, hypot(T(1), y)), wide = product(radius, hypot(T(1), x)) / aspect;
-    if (T(0) < radius) distance = greater(high, wide) / tan(half_height);
+    if (T(0) < radius) distance = maximum(high, wide) / tan(half_height);
   } else {
     // The narrower of the two half angles decides.
     const T half_width = atan(tan(half_height) * aspect);
-    const T narrow = lesser(half_width, half_height);
+    const T narrow = minimum(half_width, half_height);
     const T share = like.projection == projection_kind::perspective ? sin(narrow) : tan(narrow);  // of the distance
     if (T(0) < radius) distance = radius / share;
   }

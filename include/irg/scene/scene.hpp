@@ -16,8 +16,9 @@ namespace irg {
 template <Floating T>
 struct object {
   mesh<T> shape;
-  mat<T, 4, 4> placement = identity<T, 4>();
+  mat<T, 4, 4> placement = identity_matrix<T, 4>();
   material<T> surface{{T(1), T(1), T(1)}, {T(1), T(1), T(1)}, {}, T(1)};
+  bool operator==(const object&) const = default;
 };
 
 /// Everything a picture needs.
@@ -29,6 +30,7 @@ struct scene {
   rgb<T> ambient{};
   distance_term distance = distance_term::none;  // whether lights weaken with the distance from the eye, by 1 / (r + k)
   T k = T(1);
+  bool operator==(const scene&) const = default;
 };
 
 }  // namespace irg

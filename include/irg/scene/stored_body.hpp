@@ -26,15 +26,15 @@ struct stored_surface {
 /// Two points that a line joins.
 struct stored_edge {
   std::uint32_t from = 0, to = 0;
-  constexpr bool operator==(const stored_edge&) const = default;
+  bool operator==(const stored_edge&) const = default;
 };
 
 /// A named body.
 /// shape   edges name positions of `shape`; surface_of_face has an entry for each face, a number of `surfaces` or
-///         no_surface
+///         no_index
 template <Floating T>
 struct stored_body {
-  static constexpr std::uint32_t no_surface = no_index;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t no_surface = no_index;
   part_name name;
   mesh<T> shape;
   std::vector<stored_edge> edges;
@@ -60,7 +60,7 @@ template <Floating T>
   for (std::size_t f = 0; f < m.face_count(); ++f)
     for (std::size_t k = 0, count = m.face_size(f); k < count; ++k) {
       const std::uint32_t from = m.corner(f, k).position, to = m.corner(f, k + 1 < count ? k + 1 : 0).position;
-      b.shape.corners.push_back({from, mesh_corner::none, mesh_corner::none});
+      b.shape.corners.push_back({from, no_index, no_index});
       if (from != to) b.edges.push_back(from < to ? stored_edge{from, to} : stored_edge{to, from});
     }
   const auto before = [](const stored_edge& a, const stored_edge& c) {

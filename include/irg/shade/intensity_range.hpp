@@ -30,7 +30,7 @@ inline namespace IRG_ABI {
 /// gives   0 for NaN
 template <class L, Scalar T>
 [[nodiscard]] IRG_INLINE constexpr L clamp_intensity(const L& intensity, const T& maximum) noexcept {
-  return per_channel([&](const T& i) { return clamp(i, T(0), maximum); }, intensity);
+  return per_channel([&](const T& i) { return clamped(i, T(0), maximum); }, intensity);
 }
 
 /// Brings all intensities within 0 to maximum. rescale leaves them as they are when none is over it.
@@ -77,8 +77,8 @@ constexpr void fit_intensities(std::span<L> intensities, const T& maximum, const
   for (L& i : intensities)
     i = per_channel(
         [&](const T& channel) -> T {
-          const T share = clamp(T(channel / largest), T(0), T(1));
-          return product(clamp(static_cast<T>(curve(share)), T(0), T(1)), maximum);
+          const T share = clamped(T(channel / largest), T(0), T(1));
+          return product(clamped(static_cast<T>(curve(share)), T(0), T(1)), maximum);
         },
         i);
 }

@@ -18,12 +18,16 @@ namespace irg {
 template <class Value>
 struct mip_pyramid {
   std::vector<image<Value>> levels;
+  bool operator==(const mip_pyramid&) const = default;
 };
 
 /// How texture coordinates change from a pixel to its right and to its lower neighbour; F is a float or a pack of them.
 template <class F>
 struct texture_derivatives_of {
   F u_right{}, v_right{}, u_down{}, v_down{};
+  bool operator==(const texture_derivatives_of&) const
+    requires std::equality_comparable<F>
+  = default;
 };
 using texture_derivatives = texture_derivatives_of<float>;
 
@@ -31,6 +35,9 @@ using texture_derivatives = texture_derivatives_of<float>;
 template <class F>
 struct mip_place_of {
   F u{}, v{}, level{};
+  bool operator==(const mip_place_of&) const
+    requires std::equality_comparable<F>
+  = default;
 };
 using mip_place = mip_place_of<float>;
 
@@ -43,7 +50,7 @@ constexpr auto box_mean(int i, int more, int fewer, const At& at) noexcept {
   using V = decltype(at(0));
   V sum{};
   for (int j = i * more / fewer; j * fewer < (i + 1) * more; ++j) {
-    const int shared = lesser((j + 1) * fewer, (i + 1) * more) - greater(j * fewer, i * more);
+    const int shared = minimum((j + 1) * fewer, (i + 1) * more) - maximum(j * fewer, i * more);
     const float share = static_cast<float>(shared) / static_cast<float>(more);
     sum = per_channel([&](float s, float t) { return s + product(t, share); }, sum, at(j));
   }
@@ -52,7 +59,7 @@ constexpr auto box_mean(int i, int more, int fewer, const At& at) noexcept {
 
 template <class V>
 constexpr image<V> half_size(const image<V>& from) {
-  const int w = from.width(), h = from.height(), half_w = greater(w / 2, 1), half_h = greater(h / 2, 1);
+  const int w = from.width(), h = from.height(), half_w = maximum(w / 2, 1), half_h = maximum(h / 2, 1);
   image<V> narrow(half_w, h), result(half_w, half_h);
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < half_w; ++x) narrow(x, y) = box_mean(x, w, half_w, [&](int j) { return from(j, y); });
@@ -71,7 +78,7 @@ constexpr F squared_side(const texture_derivatives_of<F>& d, int width, int heig
             y = product(limited_coordinate(v, -0x1p40f, 0x1p40f), h);
     return product(x, x) + product(y, y);
   };
-  const F longer = high_of(square_of(d.u_right, d.v_right), square_of(d.u_down, d.v_down));
+  const F longer = maximum(square_of(d.u_right, d.v_right), square_of(d.u_down, d.v_down));
   const auto number =
       both(both(d.u_right == d.u_right, d.v_right == d.v_right), both(d.u_down == d.u_down, d.v_down == d.v_down));
   return select(number, limited_coordinate(longer, 1.0f, 0x1p64f), f::broadcast(1.0f));
@@ -127,7 +134,7 @@ template <class Value>
                                                  const texture_sampler& sampler = {}, const Value& border = {}) {
   if (pyramid.levels.empty()) return border;
   const auto last = static_cast<float>(pyramid.levels.size() - 1);
-  const float limited = clamp(at.level, 0.0f, last);
+  const float limited = clamped(at.level, 0.0f, last);
   const auto k = static_cast<std::size_t>(limited);
   const Value finer = sample_texture(pyramid.levels[k], at.u, at.v, sampler, border);
   const float fraction = limited - static_cast<float>(k);

@@ -34,7 +34,7 @@ IRG_INLINE mask_of_lanes<double, N> is_moderate(const triple_lanes<double, N>& v
   using F = pack<double, N>;
   using f = lanes<F>;
   const F x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z), most = f::broadcast(0x1p100);
-  return (x <= most) & (y <= most) & (z <= most) & (f::broadcast(0x1p-100) <= high_of(x, high_of(y, z)));
+  return (x <= most) & (y <= most) & (z <= most) & (f::broadcast(0x1p-100) <= maximum(x, maximum(y, z)));
 }
 
 /// The lengths of vectors of moderate size, as hypot of three.
@@ -172,7 +172,7 @@ private:
   [[nodiscard]] IRG_APART IRG_INLINE F power_of(F x) const {
     using f = lanes<F>;
     if (exponent_ < 0)
-      return f::generate([&](int i) { return 0 < x[i] ? pow(lesser(x[i], 1.0), shader_.surface.shininess) : 0.0; });
+      return f::generate([&](int i) { return 0 < x[i] ? pow(minimum(x[i], 1.0), shader_.surface.shininess) : 0.0; });
     F power = f::broadcast(1);
     for (int n = exponent_; n > 0; n /= 2) {
       if (n % 2 != 0) power = power * x;

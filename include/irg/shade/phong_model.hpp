@@ -95,7 +95,7 @@ template <Scalar T>
   if (!(T(0) < rv)) return T(0);
   const int n = detail::small_integer(shininess);
   if constexpr (Floating<T>) {
-    return n < 0 ? pow(lesser(rv, T(1)), shininess) : integer_power(rv, n);
+    return n < 0 ? pow(minimum(rv, T(1)), shininess) : integer_power(rv, n);
   } else {
     IRG_EXPECTS(n >= 0);
     return integer_power(rv, n);
@@ -137,6 +137,7 @@ template <Scalar T>
 struct surface_place {
   point<T, 3> p;
   vec<T, 3> normal;
+  bool operator==(const surface_place&) const = default;
 };
 
 /// The intensity of the point p of a surface as the eye sees it: the ambient term and what each source adds (7.9 or

@@ -28,7 +28,7 @@ enum class texture_wrap { repeat, mirrored, clamp, border };
 struct texture_sampler {
   texture_filter filter = texture_filter::bilinear;
   texture_wrap wrap_u = texture_wrap::repeat, wrap_v = texture_wrap::repeat;
-  constexpr bool operator==(const texture_sampler&) const = default;
+  bool operator==(const texture_sampler&) const = default;
 };
 
 inline namespace IRG_ABI {

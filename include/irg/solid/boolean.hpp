@@ -39,7 +39,7 @@ struct solid_face_origin {
   std::uint32_t body = 0;  // 0 or 1; in a tree, of its bodies
   std::uint32_t face = 0;  // of that body
   bool turned = false;  // looks the other way, as faces of what is taken away do
-  constexpr bool operator==(const solid_face_origin&) const = default;
+  bool operator==(const solid_face_origin&) const = default;
 };
 
 /// What a corner of the result is, without rounding.
@@ -47,9 +47,9 @@ struct solid_face_origin {
 ///         of[0] to of[1] and the plane of of[2], of[3] and of[4]; edges from of[0] to of[1] and from of[2] to of[3];
 ///         the planes of three positions each from of[0], of[3] and of[6] on
 struct solid_corner_origin {
-  static constexpr std::uint32_t none = no_index;
-  std::uint32_t of[9] = {none, none, none, none, none, none, none, none, none};
-  constexpr bool operator==(const solid_corner_origin&) const = default;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  std::uint32_t of[9] = {no_index, no_index, no_index, no_index, no_index, no_index, no_index, no_index, no_index};
+  bool operator==(const solid_corner_origin&) const = default;
 };
 
 /// What combining bodies took: of `pairs`, those beyond `met` were skipped; no triangle of a part was placed but one.
@@ -57,20 +57,24 @@ struct solid_boolean_counts {
   std::uint64_t pairs = 0;  // of triangles, one of each of two bodies
   std::uint64_t met = 0;  // of these, pairs whose boxes have a point in common: where they meet is decided
   std::uint64_t parts = 0;  // of all bodies' surfaces, as the cuts divide them
-  constexpr bool operator==(const solid_boolean_counts&) const = default;
+  bool operator==(const solid_boolean_counts&) const = default;
 };
 
 /// A combination of bodies.
 template <Floating T>
 struct solid_boolean_result {
-  static constexpr std::uint32_t none = no_index;
   solid_boolean_status status = solid_boolean_status::ok;
-  std::uint32_t body =
-      none;  // where status is not done, the first of them that is to blame, or none if it is not known
+  std::uint32_t body = no_index;  // where status is not ok, the first of them that is to blame, if it is known
   mesh<T> value{};  // of triangles
   std::vector<solid_face_origin> faces{};  // of each face
   std::vector<solid_corner_origin> corners{};  // of each position
-  solid_boolean_counts counts{};  // where status is done
+  solid_boolean_counts counts{};  // where status is ok
+  bool operator==(const solid_boolean_result&) const = default;
+
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+
+  /// Whether there is one.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == solid_boolean_status::ok; }
 };
 
 inline namespace IRG_ABI {
@@ -85,7 +89,7 @@ inline namespace IRG_ABI {
 /// gives   always a closed surface, which faces run along every edge of as often one way as the other; empty where
 ///         nothing is left. Where bodies touch from outside in an edge or a corner, it belongs to both sides: such an
 ///         edge has four faces. Faces that lie on each other count once, or not at all where they part nothing. A
-///         status other than done, and no faces, for what is no body: where it meets nothing, too, for a shell of
+///         status other than ok, and no faces, for what is no body: where it meets nothing, too, for a shell of
 ///         negative volume that no other of its body goes round; for bodies that cut themselves where that shows
 /// exact   every decision, for all finite floats and doubles; places of new corners within 1 ulp of each coordinate
 /// cost    O(n log n) for bodies that meet in few places, and what is cut: of two faces of n corners that lie on each
@@ -176,7 +180,7 @@ constexpr bool is_straight(Seams& s, std::uint32_t p) {
   std::uint32_t low = no_index, high = no_index, triangle = no_index;
   for (const auto& [polygon, triangles, is_closed] : s.sectors) {
     if (is_closed) continue;
-    const std::uint32_t a = lesser(polygon.front(), polygon.back()), b = greater(polygon.front(), polygon.back());
+    const std::uint32_t a = minimum(polygon.front(), polygon.back()), b = maximum(polygon.front(), polygon.back());
     if (low != no_index && (low != a || high != b)) return false;
     if (a == b || polygon.size() < 3) return false;
     if (low == no_index) triangle = s.surface[triangles.front()].source;
@@ -270,7 +274,7 @@ template <class Bodies>
 constexpr body_shells find_shells(const Bodies& b) {
   const auto side_of = [&](std::uint32_t t, std::uint32_t k, std::uint32_t triangle) {
     const std::uint32_t v = b.triangles[t].v[k], w = b.triangles[t].v[(k + 1) % 3];
-    return triangle_side{lesser(v, w), greater(v, w), triangle};
+    return triangle_side{minimum(v, w), maximum(v, w), triangle};
   };
   std::vector<triangle_side> rims;
   for (std::uint32_t t = 0; t < b.triangles.size(); ++t)
@@ -394,7 +398,7 @@ constexpr bool are_cuts_closed(const Cut& cut) {
   std::vector<walk> walks;
   for (const auto& [from, to, triangle] : cut.cuts)
     if (const bool turned = cut.directions[triangle] < 0; cut.directions[triangle] != 0)
-      walks.push_back({lesser(from, to), greater(from, to), (from < to) != turned ? 1 : -1});
+      walks.push_back({minimum(from, to), maximum(from, to), (from < to) != turned ? 1 : -1});
   std::sort(walks.begin(), walks.end(),
             [](const walk& a, const walk& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   int sum = 0;
@@ -453,7 +457,7 @@ constexpr void collect_result(solid_boolean_result<T>& out, const Cut& cut, cons
         out.value.positions.push_back({converted<T>(p.x), converted<T>(p.y), converted<T>(p.z)});
         out.corners.push_back(origin_of_corner(cut, b, v));
       }
-      out.value.corners.push_back({number[v], mesh_corner::none, mesh_corner::none});
+      out.value.corners.push_back({number[v], no_index, no_index});
     }
     out.value.face_starts.push_back(static_cast<std::uint32_t>(out.value.corners.size()));
     out.faces.push_back({b.body[from.source], b.face[from.source], from.turned});

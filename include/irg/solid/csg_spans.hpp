@@ -30,8 +30,8 @@ namespace irg {
 template <Floating T>
 struct solid_span {
   T from{}, to{};
-  solid_face_origin entered{}, left{};  // body is csg_step::none where the line begins or ends inside
-  constexpr bool operator==(const solid_span&) const = default;
+  solid_face_origin entered{}, left{};  // body is no_index where the line begins or ends inside
+  bool operator==(const solid_span&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -60,9 +60,9 @@ public:
   ///         are sorted, and the tree is asked at each
   /// source  Hoffmann 1989; Edelsbrunner and Muecke 1990 (the move)
   [[nodiscard]] constexpr std::vector<solid_span<T>> along(const ray<T, 3>& r) const {
-    if (is_empty(r)) return {};
+    if (r.empty()) return {};
     return within({wide(r.origin), {widened(r.direction.x), widened(r.direction.y), widened(r.direction.z)}},
-                  greater(r.low, T(0)), r.high);
+                  maximum(r.low, T(0)), r.high);
   }
 
   /// The stretches of the upright line at (x, y), by their heights.
@@ -105,7 +105,7 @@ private:
     each_corner([&](const place& p) { box.add(p); });
     ball b{};
     for (int i = 0; i < 3; ++i) b.centre[i] = box.low[i] * 0.5 + box.high[i] * 0.5;
-    each_corner([&](const place& p) { b.radius2 = greater(b.radius2, dot(p - b.centre, p - b.centre)); });
+    each_corner([&](const place& p) { b.radius2 = maximum(b.radius2, dot(p - b.centre, p - b.centre)); });
     return b;
   }
   // False where rounding leaves it open: the distance, times the direction's length, is off by less than a part in 2^48
@@ -205,7 +205,7 @@ private:
   }
 
   static constexpr void add(std::vector<solid_span<T>>& spans, solid_span<T> span, T low, T high) {
-    constexpr solid_face_origin none{csg_step::none, csg_step::none, false};
+    constexpr solid_face_origin none{no_index, no_index, false};
     if (span.from < low) span = {low, span.to, none, span.left};
     if (high < span.to) span = {span.from, high, span.entered, none};
     if (!(span.from < span.to)) return;

@@ -15,10 +15,11 @@ namespace irg {
 
 /// A step of a tree: a body, or an operation on two earlier steps.
 struct csg_step {
-  static constexpr std::uint32_t none = no_index;
-  std::uint32_t body = none;  // of bodies; none for an operation
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  std::uint32_t body = no_index;  // of bodies; none for an operation
   boolean_operation operation{};
-  std::uint32_t first = none, second = none;  // steps
+  std::uint32_t first = no_index, second = no_index;  // steps
+  bool operator==(const csg_step&) const = default;
 };
 
 /// A tree of operations as a value.
@@ -30,9 +31,10 @@ struct csg_tree {
 
   IRG_APART constexpr csg_tree() {}
   /// A body by itself.
-  IRG_APART constexpr explicit csg_tree(mesh<T> body) : steps{{0, {}, csg_step::none, csg_step::none}} {
+  IRG_APART constexpr explicit csg_tree(mesh<T> body) : steps{{0, {}, no_index, no_index}} {
     bodies.push_back(std::move(body));
   }
+  bool operator==(const csg_tree&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -42,11 +44,10 @@ template <class Steps>
 constexpr bool is_in_steps(const Steps& steps, const std::vector<unsigned char>& in,
                            std::vector<unsigned char>& scratch) {
   scratch.clear();
-  const auto is_in = [&](std::uint32_t s) { return s != csg_step::none && scratch[s] != 0; };
+  const auto is_in = [&](std::uint32_t s) { return s != no_index && scratch[s] != 0; };
   for (const csg_step& step : steps) {
-    const bool value = step.body != csg_step::none
-                           ? in[step.body] != 0
-                           : is_in_combination(is_in(step.first), is_in(step.second), step.operation);
+    const bool value = step.body != no_index ? in[step.body] != 0
+                                             : is_in_combination(is_in(step.first), is_in(step.second), step.operation);
     scratch.push_back(value ? 1 : 0);
   }
   return !scratch.empty() && scratch.back() != 0;
@@ -64,14 +65,13 @@ template <Floating T>
   const auto steps = static_cast<std::uint32_t>(first.steps.size());
   for (mesh<T>& body : second.bodies) first.bodies.push_back(std::move(body));
   for (csg_step step : second.steps) {
-    if (step.body != csg_step::none) step.body += bodies;
-    if (step.first != csg_step::none) step.first += steps;
-    if (step.second != csg_step::none) step.second += steps;
+    if (step.body != no_index) step.body += bodies;
+    if (step.first != no_index) step.first += steps;
+    if (step.second != no_index) step.second += steps;
     first.steps.push_back(step);
   }
-  const auto last = [](std::size_t size) { return size == 0 ? csg_step::none : static_cast<std::uint32_t>(size - 1); };
-  first.steps.push_back(
-      {csg_step::none, operation, last(steps), second.steps.empty() ? csg_step::none : last(first.steps.size())});
+  const auto last = [](std::size_t size) { return size == 0 ? no_index : static_cast<std::uint32_t>(size - 1); };
+  first.steps.push_back({no_index, operation, last(steps), second.steps.empty() ? no_index : last(first.steps.size())});
   return first;
 }
 
@@ -95,9 +95,9 @@ template <Floating T>
   for (std::size_t i = tree.steps.size(); i-- > 0;) {
     const csg_step& step = tree.steps[i];
     if (is_used[i] == 0) continue;
-    if (step.body != csg_step::none) bodies[step.body] = &tree.bodies[step.body];
-    if (step.first != csg_step::none) is_used[step.first] = 1;
-    if (step.second != csg_step::none) is_used[step.second] = 1;
+    if (step.body != no_index) bodies[step.body] = &tree.bodies[step.body];
+    if (step.first != no_index) is_used[step.first] = 1;
+    if (step.second != no_index) is_used[step.second] = 1;
   }
   std::vector<unsigned char> scratch;
   return detail::boolean_of_bodies<T>(

@@ -54,13 +54,13 @@ namespace irg::detail::inline IRG_ABI {
 template <Floating T>
 constexpr std::vector<mesh<T>> meshes_of_shells(const mesh<T>& m, const half_edge_shells& shells) {
   std::vector<mesh<T>> each(shells.count, mesh<T>{});
-  std::vector<std::uint32_t> number(m.positions.size(), mesh_corner::none), corners;
+  std::vector<std::uint32_t> number(m.positions.size(), no_index), corners;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     mesh<T>& shell = each[shells.of_face[f]];
     corners.clear();
     for (std::size_t k = 0; k < m.face_size(f); ++k) {
       const std::uint32_t v = m.corner(f, k).position;
-      if (number[v] == mesh_corner::none) {
+      if (number[v] == no_index) {
         number[v] = static_cast<std::uint32_t>(shell.positions.size());
         shell.positions.push_back(m.positions[v]);
       }
@@ -122,7 +122,7 @@ constexpr location place_of_exact(const exact_point& p, const std::vector<point<
   for (const triangle_indices& t : surface) {
     if (is_off_ray_upward(box_of_triangle(positions, t), at.rounded, at.slack())) continue;
     const seen_triangle s = see_triangle(positions, t, 0);
-    bool is_on = s.turn != 0 && side_of_plane(*s.p[0], *s.p[1], *s.p[2], p) == 0;
+    bool is_on = s.turn != 0 && side_of_plane(*s.p[0], *s.p[1], *s.p[2], p) == side::on;
     for (int k = 0; k < 3 && is_on; ++k)
       is_on = irg::orientation_along(s.axis, exact_point(*s.p[k]), exact_point(*s.p[(k + 1) % 3]), p) * s.turn >= 0;
     if (is_on) return location::boundary;

@@ -71,12 +71,12 @@ constexpr bool reaches(const searched_triangle& s, const space_box& region) noex
   double half[3]{}, from[3][3]{}, side[3][3]{}, size = 0;
   for (int i = 0; i < 3; ++i) {
     const double centre = region.low[i] * 0.5 + region.high[i] * 0.5;
-    half[i] = greater(region.high[i] - centre, centre - region.low[i]) + s.margin;
-    size = greater(size, half[i]);
+    half[i] = maximum(region.high[i] - centre, centre - region.low[i]) + s.margin;
+    size = maximum(size, half[i]);
     for (int k = 0; k < 3; ++k) {
       from[k][i] = s.p[k][i] - centre;
       side[k][i] = s.p[(k + 1) % 3][i] - s.p[k][i];
-      size = greater(size, magnitude(from[k][i]));
+      size = maximum(size, magnitude(from[k][i]));
     }
   }
   if (!(size > 0x1p-300 && size < 0x1p300)) return true;  // so that nothing overflows, and no product is lost
@@ -93,7 +93,7 @@ constexpr bool reaches(const searched_triangle& s, const space_box& region) noex
       const double *a = from[k], *c = from[(k + 2) % 3], *e = side[k];
       const double at = e[j] * a[i] - e[i] * a[j], third = e[i] * (c[j] - a[j]) - e[j] * (c[i] - a[i]);
       const double width = magnitude(e[i]) * half[j] + magnitude(e[j]) * half[i] + error;
-      if (at - width > greater(third, 0.0) || at + width < lesser(third, 0.0)) return false;
+      if (at - width > maximum(third, 0.0) || at + width < minimum(third, 0.0)) return false;
     }
   return true;
 }
@@ -105,8 +105,8 @@ template <class Use>
 constexpr void each_corner_within(const searched_triangle& s, const space_box& region, const Use& use) {
   double size = 0;
   for (int i = 0; i < 3; ++i) {
-    for (const point<double, 3>& p : s.p) size = greater(size, magnitude(p[i]));
-    size = greater(size, greater(magnitude(region.low[i]), magnitude(region.high[i])));
+    for (const point<double, 3>& p : s.p) size = maximum(size, magnitude(p[i]));
+    size = maximum(size, maximum(magnitude(region.low[i]), magnitude(region.high[i])));
   }
   const double wider = s.margin + 0x1p-44 * size;
   point<double, 3> corners[2][32] = {{s.p[0], s.p[1], s.p[2]}, {}};
@@ -240,7 +240,7 @@ private:
 
   constexpr bool direction_to(std::uint32_t v, vec<double, 3>& to) const noexcept {
     to = at(v) - at(around_[0]);
-    const double largest = greater(greater(magnitude(to.x), magnitude(to.y)), magnitude(to.z));
+    const double largest = maximum(maximum(magnitude(to.x), magnitude(to.y)), magnitude(to.z));
     if (!(largest > 0x1p-960)) return false;  // what the scale took away may count
     to = to / largest;
     to = to / sqrt(dot(to, to));
@@ -309,7 +309,7 @@ private:
     must_cut_ = true;
     if (!cuts_) return;
     const std::size_t n = kept.size();
-    end_ = looks + 4 * n * lesser(n, 128 * static_cast<std::size_t>(std::bit_width(n)));  // some looks cost as a pair
+    end_ = looks + 4 * n * minimum(n, 128 * static_cast<std::size_t>(std::bit_width(n)));  // some looks cost as a pair
     cut(reaching(kept, region), region, axes[0], 0);
   }
 
@@ -366,7 +366,7 @@ private:
       if (now < level ? !split_axis(s, l, region, now) : !split_along(s, l, region, now == level)) continue;
       const double pairs = s.pairs();
       if (pairs <= 0.8 * all ? pairs >= least : now != longest || least < most) continue;
-      least = pairs <= 0.8 * all ? pairs : greater(pairs, 0.8 * all);
+      least = pairs <= 0.8 * all ? pairs : maximum(pairs, 0.8 * all);
       best = std::move(s);
       way = now;
     }
@@ -392,7 +392,7 @@ private:
       if (const auto side = p[(k + 1) % 3] - p[k]; dot(side, side) > dot(longest, longest)) longest = side;
     normal = cross(p[1] - p[0], p[2] - p[0]);
     for (vec<double, 3>* v : {&longest, &normal}) {
-      const double largest = greater(greater(magnitude(v->x), magnitude(v->y)), magnitude(v->z));
+      const double largest = maximum(maximum(magnitude(v->x), magnitude(v->y)), magnitude(v->z));
       if (!(largest > 0x1p-300)) return false;
       *v = *v / largest;
     }
@@ -407,8 +407,8 @@ private:
       each_corner_within(items_[i], region, [&](const point<double, 3>& q) {
         const vec<double, 3> to = q - p[0];
         const double place = dot(normal, to);
-        at.low = lesser(at.low, place);
-        at.high = greater(at.high, place);
+        at.low = minimum(at.low, place);
+        at.high = maximum(at.high, place);
       });
       middles.push_back(at.low * 0.5 + at.high * 0.5);
       // The normal's coordinates are 2 at most, and there are three of them; all others are 4 at most.
@@ -456,13 +456,13 @@ constexpr std::vector<face_pair> meeting_faces(const body_triangles& b, std::siz
   }
   double most = 0, scale = 1;
   for (const point<double, 3>& p : b.positions)
-    most = greater(greater(most, magnitude(p.x)), greater(magnitude(p.y), magnitude(p.z)));
+    most = maximum(maximum(most, magnitude(p.x)), maximum(magnitude(p.y), magnitude(p.z)));
   while (most * scale > 1) scale *= 0.5;
   while (most * scale < 0.5 && scale < 0x1p1000) scale *= 2;
   std::vector<face_pair> found;
   const auto use = [&](std::uint32_t s, std::uint32_t t) {
-    if (b.face[s] != b.face[t] && pass_through(seen[lesser(s, t)], seen[greater(s, t)]))
-      found.push_back({lesser(b.face[s], b.face[t]), greater(b.face[s], b.face[t])});
+    if (b.face[s] != b.face[t] && pass_through(seen[minimum(s, t)], seen[maximum(s, t)]))
+      found.push_back({minimum(b.face[s], b.face[t]), maximum(b.face[s], b.face[t])});
   };
   triangle_pair_search<decltype(use)> search(b, scale, use);
   search.search(with_area);

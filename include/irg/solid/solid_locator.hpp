@@ -23,6 +23,7 @@ namespace irg {
 /// What points have asked of a body so far.
 struct solid_locator_counts {
   std::uint64_t points = 0, boxes = 0, triangles = 0;  // asked; triangles / points of all are not skipped
+  bool operator==(const solid_locator_counts&) const = default;
 };
 
 }  // namespace irg
@@ -45,11 +46,11 @@ struct IRG_APART box_block {
   }
 
   IRG_INLINE constexpr void enclose(int i, T x, T y, T z) noexcept {
-    low[0][i] = lesser(low[0][i], x);
-    high[0][i] = greater(high[0][i], x);
-    low[1][i] = lesser(low[1][i], y);
-    high[1][i] = greater(high[1][i], y);
-    top[i] = greater(top[i], z);
+    low[0][i] = minimum(low[0][i], x);
+    high[0][i] = maximum(high[0][i], x);
+    low[1][i] = minimum(low[1][i], y);
+    high[1][i] = maximum(high[1][i], y);
+    top[i] = maximum(top[i], z);
   }
   // The box round all of another block becomes part of box i.
   constexpr void enclose(int i, const box_block& b) noexcept {
@@ -80,7 +81,7 @@ IRG_INLINE constexpr unsigned ask_boxes(const box_block<T>& b, const point<T, 3>
 template <class T>
 IRG_INLINE constexpr unsigned boxes_over(const box_block<T>& b, const point<T, 3>& p) noexcept {
   if (!has_lanes || std::is_constant_evaluated()) return ask_boxes<T>(b, p);
-  return ask_boxes<pack<T, lesser(box_block<T>::width, native_lanes<T>)>>(b, p);
+  return ask_boxes<pack<T, minimum(box_block<T>::width, native_lanes<T>)>>(b, p);
 }
 
 }  // namespace IRG_ABI
@@ -130,7 +131,7 @@ private:
 
   [[nodiscard]] IRG_APART static constexpr T centre(const triangle& t, int axis) noexcept {
     const T a = t[0][axis] * T(0.25), b = t[1][axis] * T(0.25), c = t[2][axis] * T(0.25);
-    return lesser(lesser(a, b), c) + greater(greater(a, b), c);
+    return minimum(minimum(a, b), c) + maximum(maximum(a, b), c);
   }
 
   // Divides runs of triangles along the longer side of the box round them, seen from above, until they are short; the

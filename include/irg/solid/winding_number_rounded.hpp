@@ -29,7 +29,7 @@ template <class P>
 constexpr vec<double, 3> way_to(const P& p, const P& q) noexcept {
   double reach = 0;
   for (int i = 0; i < 3; ++i)
-    reach = greater(reach, greater(magnitude(widened(coordinate(p, i))), magnitude(widened(coordinate(q, i)))));
+    reach = maximum(reach, maximum(magnitude(widened(coordinate(p, i))), magnitude(widened(coordinate(q, i)))));
   const double factor = reach < 0x1p1022 ? 1 : 0.5;
   const auto part = [factor](const auto& x) { return product(widened(x), factor); };
   return {part(coordinate(q, 0)) - part(coordinate(p, 0)), part(coordinate(q, 1)) - part(coordinate(p, 1)),

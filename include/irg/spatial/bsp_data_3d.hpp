@@ -17,30 +17,30 @@ namespace irg {
 /// being 0, 1 or 2, through vertex `source` across that axis, its front where the coordinate is greater.
 struct bsp_plane_3d {
   static constexpr std::uint32_t of_triangle = 3;
-  std::uint32_t source = bsp_none, axis = of_triangle;
+  std::uint32_t source = no_index, axis = of_triangle;
   friend constexpr bool operator==(const bsp_plane_3d&, const bsp_plane_3d&) = default;
 };
 
 /// A limit of a piece: the part of it in front (1) or behind (-1) the plane of a node.
-/// shape   next: the limit to which this one adds, or bsp_none
+/// shape   next: the limit to which this one adds, or no_index
 struct bsp_limit_3d {
-  std::uint32_t node = bsp_none;
+  std::uint32_t node = no_index;
   std::int32_t side = 0;
-  std::uint32_t next = bsp_none;
+  std::uint32_t next = no_index;
   friend constexpr bool operator==(const bsp_limit_3d&, const bsp_limit_3d&) = default;
 };
 
 /// A piece of a triangle: what all limits leave of it, the whole where there are none.
 struct bsp_piece_3d {
-  std::uint32_t triangle = bsp_none, limits = bsp_none;
+  std::uint32_t triangle = no_index, limits = no_index;
   friend constexpr bool operator==(const bsp_piece_3d&, const bsp_piece_3d&) = default;
 };
 
 /// A plane that divides what is left: pieces first to last - 1 lie in it.
-/// shape   front, back and beside are nodes, or bsp_none; `beside` has further pieces in the same plane and no cells
+/// shape   front, back and beside are nodes, or no_index; `beside` has further pieces in the same plane and no cells
 struct bsp_node_3d {
   bsp_plane_3d plane;
-  std::uint32_t first = 0, last = 0, front = bsp_none, back = bsp_none, beside = bsp_none;
+  std::uint32_t first = 0, last = 0, front = no_index, back = no_index, beside = no_index;
   friend constexpr bool operator==(const bsp_node_3d&, const bsp_node_3d&) = default;
 };
 
@@ -52,7 +52,7 @@ struct bsp_data_3d {
   std::vector<bsp_node_3d> nodes;  // each stands before those below it; the first one is the root
   std::vector<bsp_piece_3d> pieces;
   std::vector<bsp_limit_3d> limits;  // each stands behind its `next`
-  constexpr bool operator==(const bsp_data_3d&) const = default;
+  bool operator==(const bsp_data_3d&) const = default;
 };
 
 /// What is wrong with a tree's numbers. `index` is a number beyond its array, `flat` a triangle without area or not
@@ -100,12 +100,12 @@ constexpr bsp_fault find_node_fault(const bsp_data_3d<T>& d) {
     if (n.first != pieces) return wrong(bsp_defect::shape);
     pieces = n.last;
     for (const std::uint32_t below : {n.front, n.back, n.beside}) {
-      if (below == bsp_none) continue;
+      if (below == no_index) continue;
       if (below >= d.nodes.size()) return wrong(bsp_defect::index);
       if (below <= i || hung[below] != 0) return wrong(bsp_defect::shape);
       hung[below] = 1;
     }
-    if (n.beside != bsp_none && (d.nodes[n.beside].front != bsp_none || d.nodes[n.beside].back != bsp_none))
+    if (n.beside != no_index && (d.nodes[n.beside].front != no_index || d.nodes[n.beside].back != no_index))
       return wrong(bsp_defect::shape);
   }
   if (pieces != d.pieces.size()) return {bsp_defect::shape, bsp_part::piece, pieces};
@@ -127,14 +127,14 @@ template <Floating T>
   if (const bsp_fault f = detail::find_node_fault(d); f.defect != bsp_defect::none) return f;
   for (std::size_t i = 0; i < d.pieces.size(); ++i) {
     const bsp_piece_3d& p = d.pieces[i];
-    if (p.triangle >= d.triangles.size() || (p.limits != bsp_none && p.limits >= d.limits.size()))
+    if (p.triangle >= d.triangles.size() || (p.limits != no_index && p.limits >= d.limits.size()))
       return {bsp_defect::index, bsp_part::piece, i};
     if (!detail::has_area(d, p.triangle)) return {bsp_defect::flat, bsp_part::piece, i};
   }
   for (std::size_t i = 0; i < d.limits.size(); ++i) {
     const bsp_limit_3d& l = d.limits[i];
     if (l.node >= d.nodes.size()) return {bsp_defect::index, bsp_part::limit, i};
-    if ((l.side != 1 && l.side != -1) || (l.next != bsp_none && l.next >= i))
+    if ((l.side != 1 && l.side != -1) || (l.next != no_index && l.next >= i))
       return {bsp_defect::shape, bsp_part::limit, i};
   }
   return {};

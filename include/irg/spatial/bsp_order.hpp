@@ -15,12 +15,12 @@
 
 namespace irg {
 
-/// No segment, no triangle, no node.
-inline constexpr std::uint32_t bsp_none = no_index;
+/// The old name of no_index: no segment, no triangle, no node.
+[[deprecated("irg: no_index")]] inline constexpr std::uint32_t bsp_none = no_index;
 
 /// Where a point lies: on the line or plane of a node (side 0), or in the cell without a node at that side of it.
 struct bsp_place {
-  std::uint32_t node = bsp_none;
+  std::uint32_t node = no_index;
   int side = 0;
   friend constexpr bool operator==(const bsp_place&, const bsp_place&) = default;
 };
@@ -31,19 +31,22 @@ enum class bsp_order { back_to_front, front_to_back };
 /// How the line or plane is chosen that divides a cell: of some candidates, spread over what is left, the one that cuts
 /// the fewest and leaves the sides most alike, judged by some of them.
 /// shape   one candidate is the first one left, as in the textbook
-struct bsp_choice {
+struct bsp_options {
   std::size_t candidates = 8, judges = 32;
   std::size_t cut_costs = 4;  // as much as so many more on one side than on the other
+  bool operator==(const bsp_options&) const = default;
 };
 
-/// What lies at the two sides of a line or plane: cells of bsp_open_cells, or bsp_none.
+/// What lies at the two sides of a line or plane: cells of bsp_open_cells, or no_index.
 struct bsp_halves {
-  std::uint32_t front = bsp_none, back = bsp_none;
+  std::uint32_t front = no_index, back = no_index;
+  bool operator==(const bsp_halves&) const = default;
 };
 
 /// How many items lie where: in front of a line or plane, behind it, and on both sides.
 struct bsp_sides {
   std::size_t front = 0, back = 0, cut = 0;
+  bool operator==(const bsp_sides&) const = default;
 };
 
 /// What some items lie in: a box, and the slab low <= normal . p <= high across the direction in which they are thin.
@@ -70,7 +73,7 @@ namespace detail::inline IRG_ABI {
 template <int N>
 constexpr vec<double, N> scaled_normal(const vec<double, N>& v, double least) noexcept {
   double most = 0;
-  for (int k = 0; k < N; ++k) most = greater(most, magnitude(v[k]));
+  for (int k = 0; k < N; ++k) most = maximum(most, magnitude(v[k]));
   vec<double, N> n{};
   if (most > least)
     for (int k = 0; k < N; ++k) n[k] = v[k] / most;
@@ -95,15 +98,15 @@ constexpr box<double, 1> values_within(const linear_form<N>& f, const bsp_bounds
   }
   const double share = square > 0 ? along / square : 0.0;
   const double first = product(share, b.low - start), last = product(share, b.high - start);
-  double low = lesser(first, last), high = greater(first, last);
-  error = product(magnitude(share), error + greater(magnitude(b.low), magnitude(b.high)));
+  double low = minimum(first, last), high = maximum(first, last);
+  error = product(magnitude(share), error + maximum(magnitude(b.low), magnitude(b.high)));
   for (int k = 0; k < N; ++k) {
     const double taken = product(share, b.normal[k]), left = f.slope[k] - taken;
     const double from = b.around.low[k] - f.origin[k], to = b.around.high[k] - f.origin[k];
     const double p = product(left, from), q = product(left, to);
-    low += lesser(p, q);
-    high += greater(p, q);
-    error += product(f.size[k] + magnitude(taken), greater(magnitude(from), magnitude(to)));
+    low += minimum(p, q);
+    high += maximum(p, q);
+    error += product(f.size[k] + magnitude(taken), maximum(magnitude(from), magnitude(to)));
   }
   error = product(error, 0x1p-46) + 0x1p-800;
   return {{low - error}, {high + error}};
@@ -135,16 +138,16 @@ template <int N, class Points>
   bsp_bounds<N> b{{points[0], points[0]}};
   for (const point<double, N>& p : points)
     for (int k = 0; k < N; ++k) {
-      b.around.low[k] = lesser(b.around.low[k], p[k]);
-      b.around.high[k] = greater(b.around.high[k], p[k]);
+      b.around.low[k] = minimum(b.around.low[k], p[k]);
+      b.around.high[k] = maximum(b.around.high[k], p[k]);
     }
   b.normal = detail::scaled_normal(normal, 0.0);
   const linear_form<N> f = detail::form_along(b.normal);
   bool any = false;
   for (const point<double, N>& p : points) {
     const box<double, 1> at = detail::values_within(f, bsp_bounds<N>{{p, p}});
-    b.low = any ? lesser(b.low, at.low[0]) : at.low[0];
-    b.high = any ? greater(b.high, at.high[0]) : at.high[0];
+    b.low = any ? minimum(b.low, at.low[0]) : at.low[0];
+    b.high = any ? maximum(b.high, at.high[0]) : at.high[0];
     any = true;
   }
   return b;
@@ -155,16 +158,16 @@ template <int N>
 [[nodiscard]] constexpr bsp_bounds<N> bounds_of_both(const bsp_bounds<N>& a, const bsp_bounds<N>& b) noexcept {
   bsp_bounds<N> both = a;
   for (int k = 0; k < N; ++k) {
-    both.around.low[k] = lesser(a.around.low[k], b.around.low[k]);
-    both.around.high[k] = greater(a.around.high[k], b.around.high[k]);
+    both.around.low[k] = minimum(a.around.low[k], b.around.low[k]);
+    both.around.high[k] = maximum(a.around.high[k], b.around.high[k]);
   }
   constexpr double cancelled = 0x1p-10;
   const bool turned = dot(a.normal, b.normal) < 0;  // of a normal either way serves
   both.normal = detail::scaled_normal(turned ? a.normal - b.normal : a.normal + b.normal, cancelled);
   const linear_form<N> f = detail::form_along(both.normal);
   const box<double, 1> first = detail::values_within(f, a), second = detail::values_within(f, b);
-  both.low = lesser(first.low[0], second.low[0]);
-  both.high = greater(first.high[0], second.high[0]);
+  both.low = minimum(first.low[0], second.low[0]);
+  both.high = maximum(first.high[0], second.high[0]);
   return both;
 }
 
@@ -184,13 +187,13 @@ public:
     std::uint32_t place = 0;
   };
 
-  /// A cell of some items, or bsp_none of none.
+  /// A cell of some items, or no_index of none.
   /// cost    O(n log n); allocates
   constexpr std::uint32_t make_cell(std::vector<entry> items) {
-    return items.empty() ? bsp_none : make(items, 0, items.size());
+    return items.empty() ? no_index : make(items, 0, items.size());
   }
   [[nodiscard]] constexpr std::size_t size(std::uint32_t cell) const noexcept {
-    return cell == bsp_none ? 0 : nodes_[cell].count;
+    return cell == no_index ? 0 : nodes_[cell].count;
   }
   /// Item i of a cell, neighbours by place following each other.
   /// cost    the height of the cell's tree, some log n
@@ -200,7 +203,7 @@ public:
   [[nodiscard]] constexpr Item& at(std::uint32_t cell, std::size_t i) noexcept { return items_[item_at(cell, i)].item; }
   /// The item of a cell that was given first.
   [[nodiscard]] constexpr const Item& first(std::uint32_t cell) const noexcept {
-    while (nodes_[cell].child[0] != bsp_none)
+    while (nodes_[cell].child[0] != no_index)
       cell = nodes_[cell].child[nodes_[nodes_[cell].child[0]].place == nodes_[cell].place ? 0 : 1];
     return items_[nodes_[cell].item].item;
   }
@@ -213,9 +216,9 @@ public:
   template <class SideOf, class Part>
   constexpr bsp_halves divide(std::uint32_t cell, const SideOf& side_of, const Part& part) {
     const int side = side_of(nodes_[cell].bounds);
-    if (side > 0) return {cell, bsp_none};
-    if (side < 0) return {bsp_none, cell};
-    if (nodes_[cell].child[0] == bsp_none) return divide_leaf(cell, part);
+    if (side > 0) return {cell, no_index};
+    if (side < 0) return {no_index, cell};
+    if (nodes_[cell].child[0] == no_index) return divide_leaf(cell, part);
     const std::uint32_t left = nodes_[cell].child[0], right = nodes_[cell].child[1];
     const bsp_halves a = divide(left, side_of, part), b = divide(right, side_of, part);
     free_nodes_.push_back(cell);
@@ -236,20 +239,20 @@ public:
   /// Whether holds(item) is true for one of a cell's items whose bounds pass may_hold(bounds).
   template <class MayHold, class Holds>
   [[nodiscard]] constexpr bool any_of(std::uint32_t cell, const MayHold& may_hold, const Holds& holds) const {
-    if (cell == bsp_none || !may_hold(nodes_[cell].bounds)) return false;
-    if (nodes_[cell].child[0] == bsp_none) return holds(items_[nodes_[cell].item].item);
+    if (cell == no_index || !may_hold(nodes_[cell].bounds)) return false;
+    if (nodes_[cell].child[0] == no_index) return holds(items_[nodes_[cell].item].item);
     return any_of(nodes_[cell].child[0], may_hold, holds) || any_of(nodes_[cell].child[1], may_hold, holds);
   }
 
 private:
   struct node {
     bsp_bounds<N> bounds;
-    std::uint32_t child[2]{bsp_none, bsp_none};
-    std::uint32_t count = 1, place = 0, item = bsp_none;
+    std::uint32_t child[2]{no_index, no_index};
+    std::uint32_t count = 1, place = 0, item = no_index;
   };
 
   [[nodiscard]] constexpr std::uint32_t item_at(std::uint32_t cell, std::size_t i) const noexcept {
-    while (nodes_[cell].child[0] != bsp_none) {
+    while (nodes_[cell].child[0] != no_index) {
       const std::size_t first = nodes_[nodes_[cell].child[0]].count;
       const bool is_second = i >= first;
       if (is_second) i -= first;
@@ -269,7 +272,7 @@ private:
   }
   constexpr std::uint32_t add_leaf(entry e) {
     std::uint32_t at = static_cast<std::uint32_t>(items_.size());
-    const node leaf{e.bounds, {bsp_none, bsp_none}, 1, e.place, free_items_.empty() ? at : free_items_.back()};
+    const node leaf{e.bounds, {no_index, no_index}, 1, e.place, free_items_.empty() ? at : free_items_.back()};
     if (free_items_.empty()) {
       items_.push_back(std::move(e));
     } else {
@@ -279,10 +282,10 @@ private:
     return add_node(leaf);
   }
   constexpr std::uint32_t join(std::uint32_t a, std::uint32_t b) {
-    if (a == bsp_none || b == bsp_none) return a == bsp_none ? b : a;
+    if (a == no_index || b == no_index) return a == no_index ? b : a;
     const node &m = nodes_[a], &n = nodes_[b];
     return add_node(
-        {bounds_of_both(m.bounds, n.bounds), {a, b}, m.count + n.count, lesser(m.place, n.place), bsp_none});
+        {bounds_of_both(m.bounds, n.bounds), {a, b}, m.count + n.count, minimum(m.place, n.place), no_index});
   }
 
   // The tree of a run of items, halved along the longest side of the box round it.
@@ -291,8 +294,8 @@ private:
     box<double, N> around = items[begin].bounds.around;
     for (std::size_t i = begin + 1; i < end; ++i)
       for (int k = 0; k < N; ++k) {
-        around.low[k] = lesser(around.low[k], items[i].bounds.around.low[k]);
-        around.high[k] = greater(around.high[k], items[i].bounds.around.high[k]);
+        around.low[k] = minimum(around.low[k], items[i].bounds.around.low[k]);
+        around.high[k] = maximum(around.high[k], items[i].bounds.around.high[k]);
       }
     int axis = 0;
     for (int k = 1; k < N; ++k)
@@ -315,7 +318,7 @@ private:
     const node& n = nodes_[cell];
     if (const int side = side_of(n.bounds); side != 0) {
       (side > 0 ? sides.front : sides.back) += n.count;
-    } else if (n.child[0] == bsp_none) {
+    } else if (n.child[0] == no_index) {
       --looks;
       count(items_[n.item].item, sides);
     } else {

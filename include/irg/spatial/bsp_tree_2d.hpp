@@ -25,14 +25,15 @@ namespace irg {
 
 /// A piece of a segment: from its end a, or where the line of segment `from` cuts it, to its end b, or to `to`'s line.
 struct bsp_piece_2d {
-  std::uint32_t segment = bsp_none, from = bsp_none, to = bsp_none;
+  std::uint32_t segment = no_index, from = no_index, to = no_index;
   friend constexpr bool operator==(const bsp_piece_2d&, const bsp_piece_2d&) = default;
 };
 
 /// A line that divides what is left, through the ends of a segment: pieces first to last - 1 lie on it.
-/// shape   left and right are nodes, or bsp_none
+/// shape   left and right are nodes, or no_index
 struct bsp_node_2d {
-  std::uint32_t segment = bsp_none, first = 0, last = 0, left = bsp_none, right = bsp_none;
+  std::uint32_t segment = no_index, first = 0, last = 0, left = no_index, right = no_index;
+  bool operator==(const bsp_node_2d&) const = default;
 };
 
 /// The tree of some segments.
@@ -45,16 +46,16 @@ public:
   ///         sides are alike, and for walls around a convex room, each of which leaves all others on one side; segments
   ///         that cross each other make n^2 pieces at worst
   /// source  Fuchs, Kedem and Naylor 1980
-  IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
+  IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_options& choice = {})
       : segments_(segments.begin(), segments.end()) {
     IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
     bsp_open_cells<bsp_piece_2d, 2> cells;
     std::vector<cell> open;
-    open.push_back({cells.make_cell(usable()), bsp_none, 0});
+    open.push_back({cells.make_cell(usable()), no_index, 0});
     while (!open.empty()) {
       const cell c = open.back();
       open.pop_back();
-      if (c.pieces != bsp_none) divide(cells, c, open, choice);
+      if (c.pieces != no_index) divide(cells, c, open, choice);
     }
   }
 
@@ -75,7 +76,7 @@ public:
   [[nodiscard]] IRG_APART constexpr segment<T, 2> rounded(const bsp_piece_2d& p) const noexcept {
     const segment<T, 2>& s = segments_[p.segment];
     const auto end = [&](std::uint32_t cut, const point<T, 2>& given) {
-      return cut == bsp_none ? given : intersect_lines(s.a, s.b, segments_[cut].a, segments_[cut].b).at;
+      return cut == no_index ? given : intersect_lines(s.a, s.b, segments_[cut].a, segments_[cut].b).at;
     };
     return {end(p.from, s.a), end(p.to, s.b)};
   }
@@ -103,9 +104,9 @@ public:
       const bool own_last = eye_side == 0 && order == bsp_order::back_to_front;
       const bool own_first = eye_side == 0 && order == bsp_order::front_to_back;
       if (own_last) open.push_back({i, true});
-      if (late != bsp_none) open.push_back({late, false});
+      if (late != no_index) open.push_back({late, false});
       if (eye_side != 0) open.push_back({i, true});
-      if (early != bsp_none) open.push_back({early, false});
+      if (early != no_index) open.push_back({early, false});
       if (own_first) open.push_back({i, true});
     }
   }
@@ -114,7 +115,7 @@ public:
   /// needs   a finite point
   [[nodiscard]] IRG_APART constexpr bsp_place locate(const point<T, 2>& p) const noexcept {
     bsp_place place;
-    for (std::uint32_t i = nodes_.empty() ? bsp_none : 0; i != bsp_none;) {
+    for (std::uint32_t i = nodes_.empty() ? no_index : 0; i != no_index;) {
       place = {i, side(nodes_[i], p)};
       if (place.side == 0) break;
       i = place.side > 0 ? nodes_[i].left : nodes_[i].right;
@@ -140,8 +141,8 @@ private:
     const segment<T, 2>&s = segments_[p.segment], &l = segments_[line];
     const std::uint32_t cut = at_a ? p.from : p.to;
     if (cut == line) return 0;
-    if (cut == bsp_none) return orient2d(l.a, l.b, at_a ? s.a : s.b);
-    return side_of_crossing(s, segments_[cut], l).value_or(0);
+    if (cut == no_index) return orient2d(l.a, l.b, at_a ? s.a : s.b);
+    return sign_of(side_of_crossing(s, segments_[cut], l).value_or(irg::side::on));
   }
   // A point in doubles that no difference of overflows.
   [[nodiscard]] IRG_APART constexpr point<double, 2> scaled(const point<T, 2>& p) const noexcept {
@@ -160,11 +161,11 @@ private:
       if (!is_finite(s.a, s.b) || s.a == s.b)
         ++left_out_;
       else
-        all.push_back({{i, bsp_none, bsp_none}, {}, i});
+        all.push_back({{i, no_index, no_index}, {}, i});
     }
     for (const entry& e : all)
       for (const point<T, 2>& p : {segments_[e.place].a, segments_[e.place].b})
-        if (greater(magnitude(widened(p[0])), magnitude(widened(p[1]))) > 0x1p200) scale_ = 0x1p-850;
+        if (maximum(magnitude(widened(p[0])), magnitude(widened(p[1]))) > 0x1p200) scale_ = 0x1p-850;
     for (entry& e : all) {
       const segment<T, 2>& s = segments_[e.place];
       const linear_form<2> line = form_of(s);
@@ -174,9 +175,9 @@ private:
   }
   template <class Cells>
   [[nodiscard]] IRG_APART constexpr std::uint32_t dividing_line(const Cells& cells, std::uint32_t pieces,
-                                                                const bsp_choice& choice) const {
-    const std::size_t n = cells.size(pieces), candidates = lesser(choice.candidates, n),
-                      judges = lesser(choice.judges, n);
+                                                                const bsp_options& choice) const {
+    const std::size_t n = cells.size(pieces), candidates = minimum(choice.candidates, n),
+                      judges = minimum(choice.judges, n);
     std::uint32_t best = cells.first(pieces).segment;
     if (candidates < 2) return best;
     std::vector<bsp_piece_2d> judge;
@@ -201,9 +202,9 @@ private:
     return best;
   }
   template <class Cells>
-  IRG_APART constexpr void divide(Cells& cells, const cell& c, std::vector<cell>& open, const bsp_choice& choice) {
+  IRG_APART constexpr void divide(Cells& cells, const cell& c, std::vector<cell>& open, const bsp_options& choice) {
     const auto here = static_cast<std::uint32_t>(nodes_.size());
-    if (c.parent != bsp_none) (c.side > 0 ? nodes_[c.parent].left : nodes_[c.parent].right) = here;
+    if (c.parent != no_index) (c.side > 0 ? nodes_[c.parent].left : nodes_[c.parent].right) = here;
     const std::uint32_t line = dividing_line(cells, c.pieces, choice);
     const std::size_t first = pieces_.size();
     const linear_form<2> form = form_of(segments_[line]);
@@ -230,7 +231,7 @@ private:
     std::sort(pieces_.begin() + static_cast<std::ptrdiff_t>(first), pieces_.end(),
               [](const bsp_piece_2d& p, const bsp_piece_2d& q) { return p.segment < q.segment; });
     nodes_.push_back(
-        {line, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(pieces_.size()), bsp_none, bsp_none});
+        {line, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(pieces_.size()), no_index, no_index});
     open.push_back({halves.back, here, -1});
     open.push_back({halves.front, here, 1});
   }

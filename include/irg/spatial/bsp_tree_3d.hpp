@@ -33,7 +33,7 @@ public:
   ///         that go through each other make a piece at least for each point that three of them have in common
   /// source  Fuchs, Kedem and Naylor 1980
   IRG_APART constexpr bsp_tree_3d(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
-                                  const bsp_choice& choice = {}) {
+                                  const bsp_options& choice = {}) {
     detail::add_triangles(tree_, vertices, triangles, choice);
     fixed_ = detail::sizes_of(tree_);
   }
@@ -62,7 +62,7 @@ public:
   [[nodiscard]] IRG_APART constexpr std::vector<point<T, 3>> rounded(const bsp_piece_3d& p) const {
     std::vector<point<T, 3>> ring, kept;
     for (const std::uint32_t v : tree_.data.triangles[p.triangle].v) ring.push_back(tree_.data.vertices[v]);
-    for (std::uint32_t l = p.limits; l != bsp_none && !ring.empty();
+    for (std::uint32_t l = p.limits; l != no_index && !ring.empty();
          l = tree_.data.limits[l].next, std::swap(ring, kept)) {
       kept.clear();
       const detail::rounded_plane& plane = tree_.planes[tree_.data.limits[l].node];
@@ -87,7 +87,7 @@ public:
   /// gives   the tree as it was where memory gives out
   /// cost    as building the tree, of these triangles alone
   IRG_APART constexpr void merge(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
-                                 const bsp_choice& choice = {}) {
+                                 const bsp_options& choice = {}) {
     struct undo {
       detail::growing_bsp_3d<T>* tree;
       detail::bsp_sizes before;
@@ -111,7 +111,7 @@ public:
   template <class Sink>
   IRG_APART constexpr void visit(const point<T, 3>& eye, bsp_order order, Sink&& sink) const {
     const double at[3] = {widened(eye[0]), widened(eye[1]), widened(eye[2])};
-    const double reach = greater(greater(magnitude(at[0]), magnitude(at[1])), magnitude(at[2]));
+    const double reach = maximum(maximum(magnitude(at[0]), magnitude(at[1])), magnitude(at[2]));
     walk(order, sink, [&](std::uint32_t i) {
       const int sure = tree_.steps[i].plane(at, reach).sign();
       return sure != 0 ? sure : detail::exact_side(tree_.data, tree_.data.nodes[i].plane, eye);
@@ -130,7 +130,7 @@ public:
   [[nodiscard]] IRG_APART constexpr bsp_place locate(const point<T, 3>& p) const noexcept {
     const double at[3] = {widened(p[0]), widened(p[1]), widened(p[2])};
     bsp_place place;
-    for (std::uint32_t i = tree_.data.nodes.empty() ? bsp_none : 0; i != bsp_none;) {
+    for (std::uint32_t i = tree_.data.nodes.empty() ? no_index : 0; i != no_index;) {
       const int sure = tree_.planes[i](at, 0.0).sign();
       place = {i, sure != 0 ? sure : detail::exact_side(tree_.data, tree_.data.nodes[i].plane, p)};
       if (place.side == 0) break;
@@ -147,8 +147,8 @@ private:
       std::uint32_t own, late;  // what is left: a node's own pieces, and what lies beyond them
     };
     std::vector<left_open> open;
-    for (std::uint32_t i = tree_.data.nodes.empty() ? bsp_none : 0; i != bsp_none || !open.empty();) {
-      if (i == bsp_none) {
+    for (std::uint32_t i = tree_.data.nodes.empty() ? no_index : 0; i != no_index || !open.empty();) {
+      if (i == no_index) {
         const left_open l = open.back();
         open.pop_back();
         give(l.own, to_back, sink);
@@ -158,31 +158,31 @@ private:
       const detail::bsp_walk_step& n = tree_.steps[i];
       const bool front_first = (side_of_eye(i) > 0) == to_back;
       const std::uint32_t early = n.below[front_first ? 1 : 0], late = n.below[front_first ? 0 : 1];
-      if (early != bsp_none)
+      if (early != no_index)
         open.push_back({i, late});
       else
         give(i, to_back, sink);
-      i = early != bsp_none ? early : late;
+      i = early != no_index ? early : late;
     }
   }
   // The pieces in a node's plane: those of nodes beside it have higher numbers.
   template <class Sink>
   IRG_APART constexpr void give(std::uint32_t node, bool to_back, Sink& sink) const {
     if (const detail::bsp_walk_step& n = tree_.steps[node]; n.piece != detail::several_pieces) {
-      if (n.piece != bsp_none) sink(tree_.data.pieces[n.piece]);
+      if (n.piece != no_index) sink(tree_.data.pieces[n.piece]);
       return;
     }
     if (to_back) {
-      for (std::uint32_t i = node; i != bsp_none; i = tree_.data.nodes[i].beside)
+      for (std::uint32_t i = node; i != no_index; i = tree_.data.nodes[i].beside)
         for (std::uint32_t p = tree_.data.nodes[i].first; p < tree_.data.nodes[i].last; ++p) sink(tree_.data.pieces[p]);
       return;
     }
     const auto give_node = [&](const bsp_node_3d& n) {
       for (std::uint32_t p = n.last; p-- > n.first;) sink(tree_.data.pieces[p]);
     };
-    if (tree_.data.nodes[node].beside == bsp_none) return give_node(tree_.data.nodes[node]);
+    if (tree_.data.nodes[node].beside == no_index) return give_node(tree_.data.nodes[node]);
     std::vector<std::uint32_t> nodes;  // to be taken from the end
-    for (std::uint32_t i = node; i != bsp_none; i = tree_.data.nodes[i].beside) nodes.push_back(i);
+    for (std::uint32_t i = node; i != no_index; i = tree_.data.nodes[i].beside) nodes.push_back(i);
     for (; !nodes.empty(); nodes.pop_back()) give_node(tree_.data.nodes[nodes.back()]);
   }
 

@@ -22,11 +22,12 @@ namespace irg {
 /// cut where their boxes overlap (spatial splits): in some twelve times the time, for long and slanting primitives.
 enum class bvh_method { surface_area, morton, spatial_splits };
 
-struct bvh_config {
+struct bvh_options {
   bvh_method method = bvh_method::surface_area;
   int bins = 16;  // 2 to 32: places along each axis at which a split is tried, in ranges of many primitives
   float spare = 1;  // spatial splits, 0 to 4: at most so many more references than primitives, as a share of them
   float overlap = 1e-5f;  // and tried where two halves' boxes have that share of the whole area in common
+  bool operator==(const bvh_options&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -42,7 +43,7 @@ inline namespace IRG_ABI {
 /// source  Wald 2007 (bins); Wald, Benthin and Boulos 2008 (wide nodes); Lauterbach et al. 2009 (Morton order);
 ///         Stich, Friedrich and Dietrich 2009 (spatial splits)
 template <Floating T, Executor E = sequential>
-[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_config& config = {},
+[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_options& config = {},
                                       const E& executor = {});
 
 /// Fits the tree to boxes that have moved: what is in a node stays in it.
@@ -183,8 +184,8 @@ struct box_cut {
                             bvh_item& high) const noexcept {
     const bvh_item from = whole;
     low = high = from;
-    low.v[4 + axis] = greater(from.v[4 + axis], 0.0f - plane);
-    high.v[axis] = greater(from.v[axis], plane);
+    low.v[4 + axis] = maximum(from.v[4 + axis], 0.0f - plane);
+    high.v[axis] = maximum(from.v[axis], plane);
   }
 };
 
@@ -223,8 +224,8 @@ struct triangle_cut {
     }
     limit(low, from, below);
     limit(high, from, above);
-    low.v[4 + axis] = greater(low.v[4 + axis], 0.0f - plane);
-    high.v[axis] = greater(high.v[axis], plane);
+    low.v[4 + axis] = maximum(low.v[4 + axis], 0.0f - plane);
+    high.v[axis] = maximum(high.v[axis], plane);
   }
 
 private:
@@ -233,8 +234,8 @@ private:
 
     constexpr void hold(const double (&p)[3], double off) noexcept {
       for (int k = 0; k < 3; ++k) {
-        low[k] = lesser(low[k], p[k] - off);
-        high[k] = greater(high[k], p[k] + off);
+        low[k] = minimum(low[k], p[k] - off);
+        high[k] = maximum(high[k], p[k] + off);
       }
     }
   };
@@ -243,8 +244,8 @@ private:
   static constexpr void limit(bvh_item& part, const bvh_item& from, const extent& e) noexcept {
     part = from;
     for (int k = 0; k < 3; ++k) {
-      part.v[k] = greater(from.v[k], float_below(e.low[k]));
-      part.v[4 + k] = greater(from.v[4 + k], float_below(-e.high[k]));
+      part.v[k] = maximum(from.v[k], float_below(e.low[k]));
+      part.v[4 + k] = maximum(from.v[4 + k], float_below(-e.high[k]));
     }
   }
 };
@@ -252,15 +253,15 @@ private:
 // Which primitives have been met before among the leaves, and where.
 constexpr void list_references(bvh& tree, std::size_t primitives, std::size_t held) {
   std::size_t references = 0;
-  for (const std::uint32_t number : tree.order) references += number != bvh_node::none ? 1u : 0u;
+  for (const std::uint32_t number : tree.order) references += number != no_index ? 1u : 0u;
   if (references == held) return;
-  std::vector<std::uint32_t> last(primitives, bvh_node::none);
-  tree.earlier.assign(tree.order.size(), bvh_node::none);
-  tree.boxes.assign(tree.order.size() / bvh_node::block, bvh_node::none);
+  std::vector<std::uint32_t> last(primitives, no_index);
+  tree.earlier.assign(tree.order.size(), no_index);
+  tree.boxes.assign(tree.order.size() / bvh_node::block, no_index);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
     for (std::uint32_t k = 0; k < bvh_node::width; ++k) {
       const std::uint32_t child = tree.nodes[n].child[k];
-      if (child == bvh_node::none || !bvh_node::is_leaf(child)) continue;
+      if (child == no_index || !bvh_node::is_leaf(child)) continue;
       for (std::uint32_t i = bvh_node::first_place(child); i <= bvh_node::last_place(child); ++i) {
         tree.earlier[i] = std::exchange(last[tree.order[i]], i);
         tree.boxes[i / bvh_node::block] = static_cast<std::uint32_t>(n) * bvh_node::width + k;
@@ -271,7 +272,7 @@ constexpr void list_references(bvh& tree, std::size_t primitives, std::size_t he
 struct cut_limits {
   std::size_t primitives;
   int bins;
-  float spare, overlap;  // as in bvh_config
+  float spare, overlap;  // as in bvh_options
 };
 
 template <class Cut, class E>
@@ -280,7 +281,7 @@ constexpr void build_by_cuts(bvh& tree, std::vector<bvh_item>&& items, const cut
   bvh_item all = empty_item();
   for (const bvh_item& i : items) grow(all, i);
   const std::size_t held = items.size();
-  const double spare = clamp(widened(limits.spare), 0.0, 4.0);
+  const double spare = clamped(widened(limits.spare), 0.0, 4.0);
   items.resize(held + static_cast<std::size_t>(static_cast<double>(held) * spare), bvh_item{});
   const auto places = static_cast<std::uint32_t>(items.size()), count = static_cast<std::uint32_t>(held);
   area_splits<Cut> source = make_area_splits(std::move(items), limits.bins, cut, limits.overlap * area_of(all));
@@ -290,12 +291,12 @@ constexpr void build_by_cuts(bvh& tree, std::vector<bvh_item>&& items, const cut
 
 // make_cut(scale) gives what cuts primitives.
 template <Floating T, class E, class MakeCut>
-constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_config& config, const E& executor,
+constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_options& config, const E& executor,
                          const MakeCut& make_cut) {
   bvh tree;
   std::vector<bvh_item> items = make_items(boxes, tree, executor);
   if (items.empty()) return tree;
-  const int bins = clamp(config.bins, 2, 32);
+  const int bins = clamped(config.bins, 2, 32);
   if (config.method == bvh_method::morton)
     build_by_morton(tree, items, executor);
   else if (config.method == bvh_method::surface_area)
@@ -311,7 +312,7 @@ constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_config& con
 namespace irg::inline IRG_ABI {
 
 template <Floating T, Executor E>
-[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_config& config, const E& executor) {
+[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_options& config, const E& executor) {
   return detail::build_tree(boxes, config, executor, [](double) { return detail::box_cut{}; });
 }
 
@@ -322,7 +323,7 @@ constexpr void refit(bvh& tree, std::span<const box<T, 3>> boxes) {
     bvh_node& node = tree.nodes[n];
     for (int k = 0; k < bvh_node::width; ++k) {
       const std::uint32_t child = node.child[k];
-      if (child == bvh_node::none) continue;
+      if (child == no_index) continue;
       if (bvh_node::is_leaf(child)) {
         detail::bvh_item around = detail::empty_item();
         for (std::uint32_t i = bvh_node::first_place(child); i <= bvh_node::last_place(child); ++i)

@@ -15,9 +15,9 @@ namespace irg {
 /// A primitive that a ray meets, and when.
 template <Floating T>
 struct primitive_hit {
-  std::uint32_t primitive = bvh_node::none;
+  std::uint32_t primitive = no_index;
   T t{};
-  constexpr bool operator==(const primitive_hit&) const = default;
+  bool operator==(const primitive_hit&) const = default;
 };
 
 /// test(number, ray) gives the first t at which the ray meets a primitive, or nothing.
@@ -43,7 +43,7 @@ IRG_INLINE constexpr bool meet_leaf(const bvh& tree, std::uint32_t leaf, const r
 
 template <class T>
 IRG_INLINE constexpr ray<T, 3> from_zero(ray<T, 3> r) noexcept {
-  r.low = greater(r.low, T(0));
+  r.low = maximum(r.low, T(0));
   return r;
 }
 
@@ -129,7 +129,7 @@ constexpr void each_in_box(const bvh& tree, const box<T, 3>& b, Sink&& sink) {
   const auto meets = [&](std::uint32_t slot) {
     const bvh_node& node = tree.nodes[slot / bvh_node::width];
     const int k = static_cast<int>(slot % bvh_node::width);
-    bool both = node.child[k] != bvh_node::none;
+    bool both = node.child[k] != no_index;
     for (int i = 0; i < 3; ++i) both = both && asked.v[i] <= node.high(i, k) && node.low(i, k) <= 0.0f - asked.v[4 + i];
     return both;
   };

@@ -16,13 +16,14 @@ namespace irg {
 ///         nothing are empty
 struct alignas(32) bvh_node {
   static constexpr int width = 8;
-  static constexpr std::uint32_t none = no_index, leaf = 0x80000000;
+  [[deprecated("irg: no_index")]] static constexpr std::uint32_t none = no_index;
+  static constexpr std::uint32_t leaf = 0x80000000;
   static constexpr std::uint32_t block = 4, most = 8;  // leaves take places of the order by fours, eight at most
 
   float bounds[6 * width];
   std::uint32_t child[width];
 
-  constexpr bool operator==(const bvh_node&) const = default;
+  bool operator==(const bvh_node&) const = default;
 
   IRG_INLINE constexpr float& low(int axis, int k) noexcept { return bounds[axis * width + k]; }
   IRG_INLINE constexpr float& high(int axis, int k) noexcept { return bounds[(3 + axis) * width + k]; }
@@ -48,7 +49,7 @@ struct alignas(32) bvh_node {
 
 /// A tree of boxes, made by build_bvh.
 /// shape   nodes[0] is the root, and a node stands before those in it; the primitives of a leaf are those of the order
-///         from first_place on, bvh_node::none behind them up to a multiple of four. Boxes are in units of 1/scale, a
+///         from first_place on, no_index behind them up to a multiple of four. Boxes are in units of 1/scale, a
 ///         power of two: no coordinate is larger than 1. Where primitives are in several leaves, earlier[i] is the
 ///         place of the last reference before that at place i of the order to the same primitive, and block b is that
 ///         of the leaf with box boxes[b] % 8 of nodes[boxes[b] / 8]; without such both are empty
@@ -58,7 +59,7 @@ struct bvh {
   std::vector<std::uint32_t> earlier, boxes;
   double scale = 1;
 
-  constexpr bool operator==(const bvh&) const = default;
+  bool operator==(const bvh&) const = default;
 };
 
 /// What rays have asked of trees so far: of all primitives times `rays`, those beyond `primitives` were skipped.
@@ -69,7 +70,7 @@ struct ray_counts {
   std::uint64_t nodes = 0;  // gone through, eight boxes tested in each
   std::uint64_t leaves = 0;  // come to
   std::uint64_t primitives = 0;  // in these leaves
-  constexpr bool operator==(const ray_counts&) const = default;
+  bool operator==(const ray_counts&) const = default;
 };
 
 /// Stands for ray_counts where nobody asks for them: no code is made.

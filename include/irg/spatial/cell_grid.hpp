@@ -78,7 +78,7 @@ public:
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
     return *this;
   }
-  constexpr bool operator==(const cell_grid&) const = default;
+  bool operator==(const cell_grid&) const = default;
 
   /// Calls sink(cell3) for the full cells, ordered by z, y and x.
   template <Cell3Sink Sink>

@@ -28,7 +28,7 @@ namespace irg {
 struct ray_crossing {
   facing side = facing::front;
   double t = 0, weight_b = 0, weight_c = 0;
-  constexpr bool operator==(const ray_crossing&) const = default;
+  bool operator==(const ray_crossing&) const = default;
 };
 
 namespace detail {
@@ -153,7 +153,7 @@ IRG_INLINE constexpr double largest_from(const space_point& o, const space_point
                                          const space_point& c) noexcept {
   double m = 0;
   for (const space_point* p : {&a, &b, &c})
-    for (int i = 0; i < 3; ++i) m = greater(m, magnitude((*p)[i] - o[i]));
+    for (int i = 0; i < 3; ++i) m = maximum(m, magnitude((*p)[i] - o[i]));
   return m;
 }
 
@@ -185,8 +185,8 @@ constexpr void set_weights(ray_crossing& x, const std::same_as<triangle_ray> aut
   constexpr double largest = 0x1p250, least = 0x1p-250, share = 0x1p-40;
   const double whole = (sides.ab + sides.bc) + sides.ca;
   if (least < m && m < largest && magnitude(whole) >= m * m * share) {
-    x.weight_b = clamp(sides.ca / whole, 0.0, 1.0);
-    x.weight_c = clamp(sides.ab / whole, 0.0, 1.0 - x.weight_b);
+    x.weight_b = clamped(sides.ca / whole, 0.0, 1.0);
+    x.weight_c = clamped(sides.ab / whole, 0.0, 1.0 - x.weight_b);
     return;
   }
   const std::array<double, 15> in = gathered_doubles(q.r, a, b, c);
@@ -196,7 +196,7 @@ constexpr void set_weights(ray_crossing& x, const std::same_as<triangle_ray> aut
     return w ? *w : 0.0;
   };
   x.weight_b = weight(6, 0);
-  x.weight_c = clamp(weight(0, 3), 0.0, 1.0 - x.weight_b);
+  x.weight_c = clamped(weight(0, 3), 0.0, 1.0 - x.weight_b);
 }
 
 struct timed_crossing {
@@ -251,7 +251,7 @@ template <Floating T>
 [[nodiscard]] constexpr std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
                                                                        const point<T, 3>& b,
                                                                        const point<T, 3>& c) noexcept {
-  if (is_empty(r)) return std::nullopt;
+  if (r.empty()) return std::nullopt;
   detail::triangle_ray q;
   detail::set_triangle_ray(q, r);
   const detail::space_point p[3] = {detail::exactly_widened(a), detail::exactly_widened(b), detail::exactly_widened(c)};

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include <irg/core/sinks.hpp>
@@ -39,14 +41,35 @@ struct grid_extent {
   [[nodiscard]] IRG_INLINE constexpr bool holds(const cell3& c) const noexcept {
     return c.x >= 0 && c.x < width && c.y >= 0 && c.y < height && c.z >= 0 && c.z < depth;
   }
-  constexpr bool operator==(const grid_extent&) const = default;
+  bool operator==(const grid_extent&) const = default;
 };
 
 /// Receives cells in space, one call each.
 template <class S>
 concept Cell3Sink = requires(S& sink, const cell3& c) { sink(c); };
 
+inline namespace IRG_ABI {
+
+/// Writes "(x, y, z)".
+template <class S, std::same_as<cell3> C>
+  requires TextStream<S>
+constexpr S& operator<<(S& stream, const C& c) {
+  return print_list(stream, 3, [&](int i) { return c[i]; });
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg
+
+/// The hash of a cell, for std::unordered_map and its like.
+template <>
+struct std::hash<irg::cell3> {
+  IRG_INLINE constexpr std::size_t operator()(const irg::cell3& c) const noexcept {
+    const auto x = static_cast<std::uint32_t>(c.x), y = static_cast<std::uint32_t>(c.y);
+    const std::uint64_t z = static_cast<std::uint32_t>(c.z);
+    const std::uint64_t h = (std::uint64_t{x} << 32 | y) * 0x9e3779b97f4a7c15u + z * 0xc2b2ae3d27d4eb4fu;
+    return static_cast<std::size_t>(h ^ h >> 32);
+  }
+};
 
 namespace irg {
 

@@ -30,7 +30,7 @@ struct triangle_blocks;
 struct triangle_hit {
   std::uint32_t triangle = 0;
   ray_crossing at{};
-  constexpr bool operator==(const triangle_hit&) const = default;
+  bool operator==(const triangle_hit&) const = default;
 };
 
 /// Triangles in a tree of boxes, for many rays.
@@ -49,7 +49,7 @@ public:
   /// cost    as build_bvh; 160 bytes a triangle of floats, 270 of doubles. Spatial splits cut the triangles
   ///         themselves, not their boxes
   template <Executor E = sequential>
-  IRG_APART constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_config& config = {},
+  IRG_APART constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_options& config = {},
                                             const E& executor = {})
       : triangle_bvh(
             triangles.size(), [triangles](std::size_t i) -> const triangle& { return triangles[i]; }, config,
@@ -57,7 +57,7 @@ public:
 
   /// The same of count triangles that at(i) gives.
   template <class At, Executor E = sequential>
-  IRG_APART constexpr triangle_bvh(std::size_t count, const At& at, const bvh_config& config = {},
+  IRG_APART constexpr triangle_bvh(std::size_t count, const At& at, const bvh_options& config = {},
                                    const E& executor = {}) {
     const std::vector<box<T, 3>> boxes = boxes_of(count, at, executor);
     tree_ = detail::build_tree(std::span<const box<T, 3>>(boxes), config, executor,
@@ -115,7 +115,7 @@ private:
     in_portions(blocks_.size(), executor, [&](std::size_t b) {
       for (std::size_t k = 0; k < width; ++k) {
         const std::uint32_t number = tree_.order[b * width + k];
-        const triangle& t = at(number == bvh_node::none ? tree_.order[b * width] : number);
+        const triangle& t = at(number == no_index ? tree_.order[b * width] : number);
         for (std::size_t corner = 0; corner < 3; ++corner)
           for (int axis = 0; axis < 3; ++axis) blocks_[b].v[corner][axis][k] = t[corner][axis];
       }
@@ -189,7 +189,7 @@ namespace irg::detail {
 // A crossing that weights are still to be found of.
 struct first_crossing {
   crossing_time time{};
-  std::uint32_t number = bvh_node::none, place = 0;  // of the triangle, and where it is among the blocks
+  std::uint32_t number = no_index, place = 0;  // of the triangle, and where it is among the blocks
   int turn = 0;
 };
 
@@ -203,7 +203,7 @@ inline namespace IRG_ABI {
 IRG_INLINE constexpr double reach_of(const bvh& tree, const space_point& origin) noexcept {
   constexpr double slack = 1 + 0x1p-50;
   double most = 0;
-  for (int i = 0; i < 3; ++i) most = greater(most, magnitude(origin[i]));
+  for (int i = 0; i < 3; ++i) most = maximum(most, magnitude(origin[i]));
   return (most + 1 / tree.scale) * slack;
 }
 
@@ -411,7 +411,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
         if ((f.hit >> k & 1) == 0 || is_before(f.rays[k], blocks, x, f.best[k])) {
           new (static_cast<void*>(&f.best[k])) first_crossing(x);
           f.hit |= 1u << k;
-          p.high[k] = lesser(p.high[k], later_time(p.whole, x.time.t + x.time.error));
+          p.high[k] = minimum(p.high[k], later_time(p.whole, x.time.t + x.time.error));
           nearer = true;
         }
         return false;

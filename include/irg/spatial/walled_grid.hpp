@@ -19,11 +19,11 @@ enum class wall_kind : std::uint8_t { none, wall, half_wall, open_door, closed_d
 
 /// Which kinds of walls block sight, by their number. The default is the source's table 2.
 /// source  Fabris 2012, table 2
-struct wall_rules {
+struct wall_options {
   std::array<bool, 6> blocks{false, true, false, false, true, false};
 
   IRG_INLINE constexpr bool operator()(wall_kind kind) const noexcept { return blocks[static_cast<std::size_t>(kind)]; }
-  constexpr bool operator==(const wall_rules&) const = default;
+  bool operator==(const wall_options&) const = default;
 };
 
 /// A map: cells as bits, the walls between them by kind, and as bits those that block.
@@ -31,10 +31,10 @@ struct wall_rules {
 class walled_grid {
 public:
   walled_grid() = default;
-  IRG_INLINE constexpr explicit walled_grid(const grid_extent& extent, const wall_rules& rules = {})
+  IRG_INLINE constexpr explicit walled_grid(const grid_extent& extent, const wall_options& rules = {})
       : walled_grid(cell_grid(extent), rules) {}
   /// The cells of a grid, without walls.
-  IRG_INLINE constexpr explicit walled_grid(cell_grid cells, const wall_rules& rules = {})
+  IRG_INLINE constexpr explicit walled_grid(cell_grid cells, const wall_options& rules = {})
       : cells_(std::move(cells)), rules_(rules) {}
 
   [[nodiscard]] IRG_INLINE constexpr grid_extent extent() const noexcept { return cells_.extent(); }
@@ -74,7 +74,7 @@ public:
     (axis == 0 ? across_x_ : axis == 1 ? across_y_ : across_z_).set(c, rules_(kind));
   }
 
-  constexpr bool operator==(const walled_grid&) const = default;
+  bool operator==(const walled_grid&) const = default;
 
 private:
   [[nodiscard]] IRG_INLINE constexpr std::size_t index(const cell3& c, int axis) const noexcept {
@@ -84,7 +84,7 @@ private:
   }
 
   cell_grid cells_;
-  wall_rules rules_;
+  wall_options rules_;
   std::vector<wall_kind> kinds_{};  // three per cell, or none at all
   cell_grid across_x_{}, across_y_{}, across_z_{};  // an array of them cannot be moved in g++ 12's constant evaluation
 };

@@ -20,7 +20,7 @@ namespace irg {
 struct free_run {
   double from = 0, to = 0;
   std::int64_t steps = 0;
-  constexpr bool operator==(const free_run&) const = default;
+  bool operator==(const free_run&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -71,10 +71,10 @@ template <Floating T, class Corners>
                                                const point<T, 3>& p, const point<T, 3>& q) {
   if (p == q) return true;
   ray<T, 3> way = ray_between(p, q);
-  if (is_empty(way)) {
+  if (way.empty()) {
     const auto half = [&](int i) { return q[i] * T(0.5) - p[i] * T(0.5); };
     way = {p, {half(0), half(1), half(2)}, T(0), T(2)};
-    if (is_empty(way)) return false;
+    if (way.empty()) return false;
   }
   return !any_hit(triangles, way, [&](std::uint32_t number) {
     const std::array<point<T, 3>, 3> corner = corners(number);
@@ -91,7 +91,7 @@ template <Floating T, class Corners>
 template <Floating T, Floating U>
 [[nodiscard]] constexpr std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
                                                    double step) noexcept {
-  if (is_empty(r)) return 0;
+  if (r.empty()) return 0;
   const double low = r.low < U(0) ? 0.0 : static_cast<double>(r.low);
   const auto hit = closest_hit(triangles, r);
   return detail::whole_steps(low, hit ? hit->at.t : static_cast<double>(r.high), step);
@@ -106,7 +106,7 @@ template <Floating T, Floating U>
 /// source  irg's own: the task is that of Fabris 2012
 template <Floating T, Floating U>
 [[nodiscard]] constexpr free_run longest_free_run(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step) {
-  if (is_empty(r)) return {};
+  if (r.empty()) return {};
   double from = r.low < U(0) ? 0.0 : static_cast<double>(r.low);
   free_run best{from, from, 0};
   const auto try_run = [&](double to) {

@@ -29,6 +29,7 @@ namespace irg {
 struct path_options {
   int paths = 64, bounces = 5;
   std::uint64_t seed = 1;
+  bool operator==(const path_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -79,7 +80,7 @@ public:
     };
     each_emitter([this](std::uint32_t, const vec<T, 3>& u, const vec<T, 3>& v) {
       const T scale = detail::scale_of(u, v);
-      if (T(0) < scale) scale_ = T(0) < scale_ ? lesser(scale, scale_) : scale;
+      if (T(0) < scale) scale_ = T(0) < scale_ ? minimum(scale, scale_) : scale;
     });
     T rest = T(0);  // what rounding took from the sum
     each_emitter([this, &rest](std::uint32_t t, const vec<T, 3>& u, const vec<T, 3>& v) {

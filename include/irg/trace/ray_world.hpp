@@ -51,6 +51,7 @@ struct surface_point {
   facing side = facing::front;
   std::uint32_t body = 0;
   T reach{};  // the largest coordinate near by, which `at` is rounded by
+  bool operator==(const surface_point&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -61,9 +62,9 @@ template <class T>
 IRG_INLINE constexpr T scale_of(const vec<T, 3>& a, const vec<T, 3>& b) noexcept {
   constexpr T least = (std::numeric_limits<T>::min)(), most = (std::numeric_limits<T>::max)();
   T largest = T(0);
-  for (int axis = 0; axis < 3; ++axis) largest = greater(largest, greater(magnitude(a[axis]), magnitude(b[axis])));
+  for (int axis = 0; axis < 3; ++axis) largest = maximum(largest, maximum(magnitude(a[axis]), magnitude(b[axis])));
   if (!(T(0) < largest && largest <= most)) return T(0);
-  return converted<T>(normalizing_power_of_two(widened(greater(largest, least))));
+  return converted<T>(normalizing_power_of_two(widened(maximum(largest, least))));
 }
 
 }  // namespace detail::inline IRG_ABI
@@ -90,7 +91,7 @@ public:
       transparent_ = transparent_ || T(0) < c.r || T(0) < c.g || T(0) < c.b;
     }
     tree_ = triangle_bvh<T>(
-        count, [this](std::size_t i) { return corners(static_cast<std::uint32_t>(i)); }, bvh_config{}, executor);
+        count, [this](std::size_t i) { return corners(static_cast<std::uint32_t>(i)); }, bvh_options{}, executor);
   }
 
   [[nodiscard]] IRG_INLINE constexpr const lighting<T>& light() const noexcept { return light_; }
@@ -133,7 +134,7 @@ public:
     const vec<T, 3> ab = b - a, ac = c - a;
     s.at = a + (ab * weight1 + ac * weight2);
     for (int axis = 0; axis < 3; ++axis)
-      s.reach = greater(s.reach, greater(magnitude(a[axis]), greater(magnitude(b[axis]), magnitude(c[axis]))));
+      s.reach = maximum(s.reach, maximum(magnitude(a[axis]), maximum(magnitude(b[axis]), magnitude(c[axis]))));
     const bool front = side == facing::front;
     const T scale = detail::scale_of(ab, ac);
     const vec<T, 3> face = normalized(cross(ab * scale, ac * scale));

@@ -20,6 +20,7 @@ struct area_light {
   point<T, 3> corner{};
   vec<T, 3> first{}, second{};
   rgb<T> intensity{};
+  bool operator==(const area_light&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -55,9 +56,9 @@ constexpr std::pair<T, T> hidden_part(const point<T, 3>& p, const vec<T, 3>& a, 
     if ((at_first < T(0)) == (at_second < T(0))) return;
     const T zero = at_first / (at_first - at_second);
     if (at_first < T(0))
-      from = greater(from, zero);
+      from = maximum(from, zero);
     else
-      to = lesser(to, zero);
+      to = minimum(to, zero);
   };
   keep(s[0], s[1]);
   keep(t[0], t[1]);
@@ -65,10 +66,10 @@ constexpr std::pair<T, T> hidden_part(const point<T, 3>& p, const vec<T, 3>& a, 
   if (!(from < to)) return {T(0), T(0)};
   const auto seen_at = [&](T u) {
     const T x = s[0] + (s[1] - s[0]) * u, y = t[0] + (t[1] - t[0]) * u;
-    return T(0) < x + y ? clamp(y / (x + y), T(0), T(1)) : T(0);
+    return T(0) < x + y ? clamped(y / (x + y), T(0), T(1)) : T(0);
   };
   const T first = seen_at(from), last = seen_at(to);
-  return {lesser(first, last), greater(first, last)};
+  return {minimum(first, last), maximum(first, last)};
 }
 
 }  // namespace detail::inline IRG_ABI
@@ -95,10 +96,10 @@ template <Floating T>
   std::sort(hidden.begin(), hidden.end());
   T dark = T(0), until = T(0);
   for (const auto& [from, to] : hidden) {
-    if (until < to) dark = dark + (to - greater(from, until));
-    until = greater(until, to);
+    if (until < to) dark = dark + (to - maximum(from, until));
+    until = maximum(until, to);
   }
-  return clamp(T(1) - dark, T(0), T(1));
+  return clamped(T(1) - dark, T(0), T(1));
 }
 
 /// The light of a surface's own under panels and rods, beside that of the world's lamps: the mean of `samples` by
@@ -110,7 +111,7 @@ template <Floating T>
 [[nodiscard]] constexpr rgb<T> soft_light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
                                                      const point<T, 3>& eye, std::span<const area_light<T>> lights,
                                                      int samples) {
-  const int n = clamp(samples, 1, 64);
+  const int n = clamped(samples, 1, 64);
   const material<T>& surface = world.body(s.body).surface;
   const point<T, 3> from = detail::offset_origin(s, s.face);
   const vec<T, 3> to_viewer = normalized(eye - s.at);

@@ -18,10 +18,11 @@ enum class shadow_rays { on, off };
 /// How far rays are followed: so many times reflected or refracted, 0 to 32, and no further when less than this share
 /// of what they bring would be seen. A pixel takes at most 2^(bounces + 1) rays.
 template <Floating T>
-struct trace_limits {
+struct trace_options {
   int bounces = 6;
   T least_share = T(1) / T(1024);
   shadow_rays shadows = shadow_rays::on;
+  bool operator==(const trace_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -33,7 +34,7 @@ IRG_INLINE constexpr rgb<T> filtered_light(const rgb<T>& a, const rgb<T>& b) noe
 
 template <class T>
 IRG_INLINE constexpr T greatest_channel(const rgb<T>& a) noexcept {
-  return greater(a.r, greater(a.g, a.b));
+  return maximum(a.r, maximum(a.g, a.b));
 }
 
 // A point beside the surface, on the side of a normal of length 1: farther than what the point was rounded by.
@@ -131,7 +132,7 @@ constexpr void send_on(const ray_world<T>& world, const surface_point<T>& s, con
 // The light of all pending rays and of those that they send on.
 template <class T, std::size_t Size>
 constexpr rgb<T> light_of_pending(const ray_world<T>& world, pending_ray<T> (&pending)[Size], std::size_t count,
-                                  const trace_limits<T>& limits) noexcept {
+                                  const trace_options<T>& limits) noexcept {
   rgb<T> sum{};
   while (count > 0) {
     const pending_ray<T> next = pending[--count];
@@ -161,7 +162,7 @@ inline namespace IRG_ABI {
 /// shape   as trace_ray, for a point that is known
 template <Floating T>
 [[nodiscard]] constexpr rgb<T> trace_from(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
-                                          const trace_limits<T>& limits = {}) noexcept {
+                                          const trace_options<T>& limits = {}) noexcept {
   rgb<T> sum = light_of_surface(world, s, eye, limits.shadows);
   const int bounces = limits.bounces < detail::most_bounces ? limits.bounces : detail::most_bounces;
   if (bounces <= 0) return sum;
@@ -184,7 +185,7 @@ template <Floating T>
 /// source  Whitted 1980
 template <Floating T>
 [[nodiscard]] constexpr rgb<T> trace_ray(const ray_world<T>& world, const ray<T, 3>& r,
-                                         const trace_limits<T>& limits = {}) noexcept {
+                                         const trace_options<T>& limits = {}) noexcept {
   const auto s = world.meet(r);
   return s ? trace_from(world, *s, r.origin, limits) : world.background();
 }

@@ -16,6 +16,8 @@ namespace irg {
 
 /// What a map does to the sense of rotation: keeps it, turns it round (a mirror image), or flattens space.
 enum class map_orientation { reversing = -1, singular = 0, preserving = 1 };
+template <>
+inline constexpr bool is_sign_word<map_orientation> = true;
 
 inline namespace IRG_ABI {
 
@@ -23,7 +25,7 @@ inline namespace IRG_ABI {
 template <Vector V = vec<double, 3>>
   requires(size_of<V> == 3)
 [[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> translation(const V& v) noexcept {
-  auto m = identity<scalar_of<V>, 4>();
+  auto m = identity_matrix<scalar_of<V>, 4>();
   for (int i = 0; i < 3; ++i) m(i, 3) = coordinate(v, i);
   return m;
 }
@@ -32,7 +34,7 @@ template <Vector V = vec<double, 3>>
 template <Vector V>
   requires(size_of<V> == 3)
 [[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> scaling(const V& factors) noexcept {
-  auto m = identity<scalar_of<V>, 4>();
+  auto m = identity_matrix<scalar_of<V>, 4>();
   for (int i = 0; i < 3; ++i) m(i, i) = coordinate(factors, i);
   return m;
 }
@@ -80,7 +82,7 @@ template <Vector V = vec<double, 3>>
 [[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> rotation(const V& axis, scalar_of<V> angle) noexcept {
   using T = scalar_of<V>;
   const auto unit = try_normalized(axis);
-  if (!unit) return identity<T, 4>();
+  if (!unit) return identity_matrix<T, 4>();
   const T x = coordinate(*unit, 0), y = coordinate(*unit, 1), z = coordinate(*unit, 2);
   const T c = cos(angle), s = sin(angle), versine = T(1) - c;
   const auto along = [&](T a, T b) { return product(versine, product(a, b)); };
@@ -131,7 +133,8 @@ constexpr mat<T, 3, 3> scaled_cofactors(const mat<T, 3, 3>& a) noexcept {
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c)
       for (const pair& p : {times(r + 1, c + 1, r + 2, c + 2), times(r + 1, c + 2, r + 2, c + 1)})
-        largest = greater(largest, p.exponent), smallest = p.exponent == none ? smallest : lesser(smallest, p.exponent);
+        largest = maximum(largest, p.exponent),
+        smallest = p.exponent == none ? smallest : minimum(smallest, p.exponent);
   if (least <= smallest && largest < aim) return cofactor_matrix(a);
   return generate_mat<T, 3, 3>([&](int r, int c) {
     const auto value = [&](const pair& p) { return times_power_of_two(p.significand, p.exponent - largest + aim); };

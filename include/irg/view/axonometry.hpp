@@ -34,7 +34,7 @@ template <Floating T>
 struct axonometry {
   vec<T, 3> to_viewer{T(0), T(0), T(1)};
   axonometry_kind kind = axonometry_kind::impossible;
-  constexpr bool operator==(const axonometry&) const = default;
+  bool operator==(const axonometry&) const = default;
 };
 
 inline namespace IRG_ABI {

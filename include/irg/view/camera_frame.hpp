@@ -21,7 +21,7 @@ template <Floating T>
 struct camera_frame {
   point<T, 3> position{};
   vec<T, 3> right{T(1), T(0), T(0)}, up{T(0), T(1), T(0)}, forward{T(0), T(0), T(-1)};
-  constexpr bool operator==(const camera_frame&) const = default;
+  bool operator==(const camera_frame&) const = default;
 };
 
 /// What orthonormalized made of a frame.
@@ -57,7 +57,7 @@ template <class T>
 /// T: moves the frame's position into the origin.
 template <class T>
 [[nodiscard]] constexpr mat<T, 4, 4> view_translation(const camera_frame<T>& f) noexcept {
-  auto m = identity<T, 4>();
+  auto m = identity_matrix<T, 4>();
   for (int i = 0; i < 3; ++i) m(i, 3) = T(0) - f.position[i];
   return m;
 }

@@ -100,7 +100,7 @@ template <Floating T>
 template <Real T>
 [[nodiscard]] constexpr containment side_of(const frustum<T>& f, const point<T, 3>& p) noexcept {
   const box<T, 3> b{p, p};
-  return is_empty(b) ? containment::crossing : side_of(f, b);
+  return b.empty() ? containment::crossing : side_of(f, b);
 }
 
 /// The frustum with normals of length 1.
@@ -209,9 +209,9 @@ template <Real T>
 
 template <Real T>
 [[nodiscard]] constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept {
-  if (is_empty(b)) return containment::outside;
+  if (b.empty()) return containment::outside;
   const auto size = [](const T& x) { return x < T(0) ? T(-x) : x; };
-  const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return greater(size(b.low[i]), size(b.high[i])); });
+  const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return maximum(size(b.low[i]), size(b.high[i])); });
   bool inside = true;
   for (int k = 0; k < 6; ++k) {
     const plane<T>& p = f.planes[k];

@@ -58,7 +58,7 @@ constexpr checked<mat<scalar_of<P>, 4, 4>, look_at_status> look_at_checked(const
   using limits = std::numeric_limits<T>;
   if (!detail::within(eye, (limits::max)() / 4) || !detail::within(target, (limits::max)() / 4) ||
       !detail::within(up, (limits::max)()))
-    return {identity<T, 4>(), look_at_status::not_finite};
+    return {identity_matrix<T, 4>(), look_at_status::not_finite};
 
   const auto backward = try_normalized(
       generate_coordinates<vec<T, 3>>([&](int i) { return coordinate(eye, i) - coordinate(target, i); }));

@@ -23,7 +23,7 @@ struct oblique_depth {
   T angle = T(45) * pi<T> / T(180);
   T factor = cabinet_factor<T>;
   T plane_z = T(0);
-  constexpr bool operator==(const oblique_depth&) const = default;
+  bool operator==(const oblique_depth&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -44,12 +44,19 @@ template <Floating T>
   const T x = product(how.factor, cos(how.angle)), y = product(how.factor, sin(how.angle));
   if (T(1) < magnitude(plane_z) && largest / magnitude(plane_z) < magnitude(how.factor))
     return detail::refused<T>(projection_status::not_representable);
-  auto m = identity<T, 4>();
+  auto m = identity_matrix<T, 4>();
   m(0, 2) = T(0) - x;
   m(1, 2) = T(0) - y;
   m(0, 3) = product(x, plane_z);
   m(1, 3) = product(y, plane_z);
   return {m, projection_status::ok};
+}
+
+/// The matrix that moves depth sideways; see oblique_shear_checked.
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
+template <Floating T>
+[[nodiscard]] constexpr mat<T, 4, 4> oblique_shear(const oblique_depth<T>& how) noexcept {
+  return oblique_shear_checked(how).expected();
 }
 
 /// The oblique projection of a box, or why there is none.
@@ -71,7 +78,7 @@ template <Floating T>
   for (int row = 0; row < 2; ++row) {
     const T scale = m(row, row), slope = shear.value(row, 2), shift = shear.value(row, 3);
     // Half of the largest number is left for the window's own offset.
-    if (T(1) < magnitude(scale) && largest / T(2) / magnitude(scale) < greater(magnitude(slope), magnitude(shift)))
+    if (T(1) < magnitude(scale) && largest / T(2) / magnitude(scale) < maximum(magnitude(slope), magnitude(shift)))
       return detail::refused<T>(projection_status::not_representable);
     m(row, 2) = product(scale, slope);
     m(row, 3) = product(scale, shift) + m(row, 3);
@@ -80,7 +87,7 @@ template <Floating T>
 }
 
 /// The oblique projection of a box; see oblique_checked.
-/// needs   what makes that one ordinary; where this is broken and not caught, the identity comes out
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> oblique(const oblique_depth<T>& how, const view_window<T>& window,
                                              std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,

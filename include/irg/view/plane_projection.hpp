@@ -113,6 +113,15 @@ projection_onto_plane_checked(const P& onto, const hpoint<typename plane_traits<
   return result;
 }
 
+/// The matrix that moves every point along its ray to the eye into a plane; see projection_onto_plane_checked.
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
+template <Plane P>
+  requires Real<plane_scalar<P>>
+[[nodiscard]] constexpr mat<plane_scalar<P>, 4, 4> projection_onto_plane(
+    const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& eye) noexcept {
+  return projection_onto_plane_checked(onto, eye).expected();
+}
+
 /// The central projection onto a plane: from an eye.
 /// gives   as projection_onto_plane_checked
 template <Plane P>
@@ -120,6 +129,15 @@ template <Plane P>
 [[nodiscard]] constexpr auto central_projection_onto_checked(
     const P& onto, const point<typename plane_traits<P>::scalar, 3>& eye) noexcept {
   return projection_onto_plane_checked(onto, to_homogeneous(eye));
+}
+
+/// The central projection onto a plane: from an eye.
+/// needs   as projection_onto_plane
+template <Plane P>
+  requires Real<plane_scalar<P>>
+[[nodiscard]] constexpr auto central_projection_onto(const P& onto,
+                                                     const point<typename plane_traits<P>::scalar, 3>& eye) noexcept {
+  return projection_onto_plane(onto, to_homogeneous(eye));
 }
 
 /// The parallel projection onto a plane: along a direction, either way. The matrix is affine.
@@ -132,6 +150,15 @@ template <Plane P>
   return projection_onto_plane_checked(onto, hpoint<T, 3>{direction.x, direction.y, direction.z, T(0)});
 }
 
+/// The parallel projection onto a plane: along a direction, either way. The matrix is affine.
+/// needs   as projection_onto_plane; a direction that is not the zero vector
+template <Plane P>
+  requires Real<plane_scalar<P>>
+[[nodiscard]] constexpr auto parallel_projection_onto(
+    const P& onto, const vec<typename plane_traits<P>::scalar, 3>& direction) noexcept {
+  return parallel_projection_onto_checked(onto, direction).expected();
+}
+
 /// The matrix that throws shadows on a plane: projection_onto_plane_checked with a light's position for the eye. Of a
 /// position between the light and the plane the image has 0 < w <= 1 and is its shadow; beyond the plane w > 1, and
 /// nothing is thrown there; at the light's height and above it w <= 0, and there is no shadow either. For a light at
@@ -141,6 +168,15 @@ template <Plane P>
 [[nodiscard]] constexpr auto shadow_matrix_checked(
     const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& light_position) noexcept {
   return projection_onto_plane_checked(onto, light_position);
+}
+
+/// The matrix that throws shadows on a plane; see shadow_matrix_checked.
+/// needs   as projection_onto_plane
+template <Plane P>
+  requires Real<plane_scalar<P>>
+[[nodiscard]] constexpr auto shadow_matrix(const P& onto,
+                                           const hpoint<typename plane_traits<P>::scalar, 3>& light_position) noexcept {
+  return projection_onto_plane(onto, light_position);
 }
 
 }  // namespace IRG_ABI

@@ -25,7 +25,7 @@ enum class polar_axis {
 template <Floating T>
 struct polar_coordinates {
   T distance{}, azimuth{}, elevation{};
-  constexpr bool operator==(const polar_coordinates&) const = default;
+  bool operator==(const polar_coordinates&) const = default;
 };
 
 /// A camera about a target.
@@ -34,20 +34,22 @@ template <Floating T>
 struct polar_camera {
   point<T, 3> target{};
   T distance = T(1), azimuth{}, elevation{}, roll{};
-  constexpr bool operator==(const polar_camera&) const = default;
+  bool operator==(const polar_camera&) const = default;
 };
 
 /// The angles of a polar camera by their sines and cosines.
 template <Floating T>
 struct polar_turn {
   sine_and_cosine<T> azimuth{T(0), T(1)}, elevation{T(0), T(1)}, roll{T(0), T(1)};
+  bool operator==(const polar_turn&) const = default;
 };
 
 /// How far a camera may be lifted or lowered in an orbit. At the default limits, the poles, it looks straight down or
 /// up and its axes are as defined as anywhere.
 template <Floating T>
-struct orbit_limits {
+struct orbit_options {
   T lowest = -pi<T> / T(2), highest = pi<T> / T(2);
+  bool operator==(const orbit_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -179,7 +181,7 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr polar_camera<T> orbited(polar_camera<T> c, std::type_identity_t<T> by_azimuth,
                                                 std::type_identity_t<T> by_elevation,
-                                                const orbit_limits<T>& limits = {}) noexcept {
+                                                const orbit_options<T>& limits = {}) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)() / 4;
   if (magnitude(by_azimuth) <= most) c.azimuth = c.azimuth + by_azimuth;
   if (pi<T> < magnitude(c.azimuth)) {
@@ -187,7 +189,7 @@ template <Floating T>
     c.azimuth = atan2(a.sine, a.cosine);
   }
   const T lifted = magnitude(by_elevation) <= most ? c.elevation + by_elevation : c.elevation;
-  c.elevation = clamp(lifted, limits.lowest, limits.highest);
+  c.elevation = clamped(lifted, limits.lowest, limits.highest);
   return c;
 }
 

@@ -38,7 +38,7 @@ namespace detail::inline IRG_ABI {
 
 template <class T, class S>
 constexpr checked<mat<T, 4, 4>, S> refused(S why) noexcept {
-  return {identity<T, 4>(), why};
+  return {identity_matrix<T, 4>(), why};
 }
 
 // a/b, or infinity where that would overflow (which constant evaluation has no word for).
@@ -88,7 +88,7 @@ inline namespace IRG_ABI {
 /// The matrix as a projection, or the identity and not_representable where an entry is NaN or infinite.
 template <Floating T>
 [[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> checked_projection(const mat<T, 4, 4>& m) noexcept {
-  if (!is_finite(m)) return {identity<T, 4>(), projection_status::not_representable};
+  if (!is_finite(m)) return {identity_matrix<T, 4>(), projection_status::not_representable};
   return {m, projection_status::ok};
 }
 
@@ -152,7 +152,7 @@ template <Floating T>
 }
 
 /// The central projection of a window; see perspective_checked.
-/// needs   what makes that one ordinary; where this is broken and not caught, the identity comes out
+/// needs   what makes that one ok; where this is broken and not caught, the identity comes out
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> perspective(const view_window<T>& window, std::type_identity_t<T> distance,
                                                  std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,

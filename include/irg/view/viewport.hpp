@@ -44,7 +44,7 @@ template <class T>
 /// The matrix that does what to_pixels does to normalised positions, for composition with a projection.
 template <class T>
 [[nodiscard]] constexpr mat<T, 4, 4> viewport_matrix(const viewport<T>& v) noexcept {
-  auto m = identity<T, 4>();
+  auto m = identity_matrix<T, 4>();
   m(0, 0) = v.width / T(2);
   m(1, 1) = T(0) - v.height / T(2);
   m(0, 3) = v.x + v.width / T(2);

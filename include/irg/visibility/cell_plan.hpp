@@ -24,7 +24,7 @@ template <Floating T>
 struct plan_cell {
   std::vector<point<T, 2>> corners;
   T floor = T(0), ceiling = T(1);
-  constexpr bool operator==(const plan_cell&) const = default;
+  bool operator==(const plan_cell&) const = default;
 };
 
 /// An opening between two cells, from a to b; from the higher of their floors to the lower of their ceilings.
@@ -32,7 +32,7 @@ template <Floating T>
 struct plan_portal {
   std::uint32_t first = 0, second = 0;
   point<T, 2> a{}, b{};
-  constexpr bool operator==(const plan_portal&) const = default;
+  bool operator==(const plan_portal&) const = default;
 };
 
 /// Cells and the portals between them. Cells may lie over each other, as storeys do; only portals connect them.
@@ -40,7 +40,7 @@ template <Floating T>
 struct cell_plan {
   std::vector<plan_cell<T>> cells;
   std::vector<plan_portal<T>> portals;
-  constexpr bool operator==(const cell_plan&) const = default;
+  bool operator==(const cell_plan&) const = default;
 };
 
 /// What is wrong with a plan.
@@ -66,7 +66,7 @@ struct plan_finding {
   plan_defect defect = plan_defect::none;
   std::size_t index = 0;
   std::uint32_t cell = 0;
-  constexpr bool operator==(const plan_finding&) const = default;
+  bool operator==(const plan_finding&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -141,6 +141,7 @@ template <Floating T>
 struct doorway {
   std::uint32_t to = 0, portal = 0;
   point<T, 2> right{}, left{};
+  bool operator==(const doorway&) const = default;
 };
 
 inline namespace IRG_ABI {

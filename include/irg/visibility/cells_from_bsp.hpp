@@ -30,6 +30,7 @@ struct bsp_cells {
   cell_plan<T> plan;
   std::size_t cut = 0;  ///< leaves that became triangles, because rounded corners bent them
   std::size_t left_out = 0;  ///< leaves without area when their corners are rounded
+  bool operator==(const bsp_cells&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -119,7 +120,7 @@ private:
     std::vector<int> out;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const std::uint32_t before = sides[k == 0 ? sides.size() - 1 : k - 1];
-      out.push_back(side_of_crossing(lines_[before], lines_[sides[k]], line).value_or(0));
+      out.push_back(sign_of(side_of_crossing(lines_[before], lines_[sides[k]], line).value_or(irg::side::on)));
     }
     return out;
   }
@@ -139,11 +140,11 @@ private:
   constexpr void find_leaves() {
     std::vector<open_part> open;
     const auto window = static_cast<std::uint32_t>(tree_.nodes().size());
-    open.push_back({tree_.nodes().empty() ? bsp_none : 0, {window, window + 1, window + 2, window + 3}});
+    open.push_back({tree_.nodes().empty() ? no_index : 0, {window, window + 1, window + 2, window + 3}});
     while (!open.empty()) {
       const auto [n, sides] = std::move(open.back());
       open.pop_back();
-      if (n == bsp_none) {
+      if (n == no_index) {
         leaves_.push_back(leaf{});
         leaves_.back().sides = sides;
         continue;
@@ -194,8 +195,8 @@ private:
     for (std::uint32_t i = node.first; i < node.last; ++i) {
       const bsp_piece_2d& p = tree_.pieces()[i];
       const segment<T, 2>& s = walls_[p.segment];
-      const point<T, 2> a = p.from == bsp_none ? s.a : *intersection_point(s, walls_[p.from]),
-                        b = p.to == bsp_none ? s.b : *intersection_point(s, walls_[p.to]);
+      const point<T, 2> a = p.from == no_index ? s.a : *intersection_point(s, walls_[p.from]),
+                        b = p.to == no_index ? s.b : *intersection_point(s, walls_[p.to]);
       out.push_back(comes_before(lines_[n], a, b) ? segment<T, 2>{a, b} : segment<T, 2>{b, a});
     }
     std::sort(out.begin(), out.end(), [&](const auto& u, const auto& v) { return comes_before(lines_[n], u.a, v.a); });

@@ -23,6 +23,7 @@ template <Floating T>
 struct cut_source {
   std::vector<point<T, 2>> ring;
   std::vector<segment<T, 2>> obstacles;
+  bool operator==(const cut_source&) const = default;
 };
 
 /// The pieces of a segment and obstacles, none of which cross them.
@@ -30,6 +31,7 @@ template <Floating T>
 struct cut_segment {
   std::vector<std::vector<point<T, 2>>> pieces;
   std::vector<segment<T, 2>> obstacles;
+  bool operator==(const cut_segment&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -22,16 +22,17 @@ namespace irg {
 /// shape   at most half a turn; all directions when one of them is (0, 0)
 struct sight_cone {
   cell from, to;
-  constexpr bool operator==(const sight_cone&) const = default;
+  bool operator==(const sight_cone&) const = default;
 };
 
 /// What is looked for.
 struct view_options {
-  sight_rules rules;
+  line_of_sight_options rules;
   /// Only cells whose centres are so near. Negative: none.
   int radius = (std::numeric_limits<int>::max)();
   /// Only cells in these directions, seen along z.
   sight_cone cone;
+  bool operator==(const view_options&) const = default;
 };
 
 /// What the sweeps need while they run; kept from call to call, it spares allocations.
@@ -54,7 +55,7 @@ struct view_counts {
     sight_lines += o.sight_lines;
     return *this;
   }
-  constexpr bool operator==(const view_counts&) const = default;
+  bool operator==(const view_counts&) const = default;
 };
 
 /// The same memory for who wants to know what was looked at: each field of view is added to the counts.
@@ -171,7 +172,7 @@ public:
         u_axis_ = axis_ == 0 ? 1 : 0;
         v_axis_ = axis_ == 2 ? 1 : 2;
         const int at = viewer_[axis_];
-        slabs_ = lesser<std::int64_t>(sign_ > 0 ? size[axis_] - 1 - at : at, radius_);
+        slabs_ = minimum<std::int64_t>(sign_ > 0 ? size[axis_] - 1 - at : at, radius_);
         u_range_ = {-viewer_[u_axis_], size[u_axis_] - 1 - viewer_[u_axis_]};
         v_range_ = {-viewer_[v_axis_], size[v_axis_] - 1 - viewer_[v_axis_]};
         for (std::int64_t u = -1; u <= 0; ++u)
@@ -190,7 +191,7 @@ private:
     constexpr bool empty() const noexcept { return first > last; }
   };
   static constexpr range both(const range& a, const range& b) noexcept {
-    return {greater(a.first, b.first), lesser(a.last, b.last)};
+    return {maximum(a.first, b.first), minimum(a.last, b.last)};
   }
 
   // Cells that slopes from s to s + 1 touch between two distances from the viewer, in halves of a slab.
@@ -313,7 +314,7 @@ private:
 
   const walled_grid& map_;
   cell3 viewer_;
-  sight_rules rules_;
+  line_of_sight_options rules_;
   std::int64_t radius_;
   cell_grid& seen_;
   [[no_unique_address]] Looks looks_;
@@ -331,7 +332,7 @@ struct centre_marks {
 
   IRG_INLINE constexpr void centres(std::int64_t y, std::int64_t first, std::int64_t last) const noexcept {
     const std::int64_t a = viewer.x + sign_x * first, b = viewer.x + sign_x * last;
-    seen->set_run(static_cast<int>(lesser(a, b)), static_cast<int>(greater(a, b) + 1),
+    seen->set_run(static_cast<int>(minimum(a, b)), static_cast<int>(maximum(a, b) + 1),
                   static_cast<int>(viewer.y + sign_y * y), 0);
   }
 };
@@ -350,9 +351,9 @@ struct counted_looks {
   counted_view_memory* memory;
 
   constexpr void cells(const cell3& a, const cell3& b) const noexcept {
-    for (int z = lesser(a.z, b.z); z <= greater(a.z, b.z); ++z)
-      for (int y = lesser(a.y, b.y); y <= greater(a.y, b.y); ++y)
-        memory->looked_at.set_run(lesser(a.x, b.x), greater(a.x, b.x) + 1, y, z);
+    for (int z = minimum(a.z, b.z); z <= maximum(a.z, b.z); ++z)
+      for (int y = minimum(a.y, b.y); y <= maximum(a.y, b.y); ++y)
+        memory->looked_at.set_run(minimum(a.x, b.x), maximum(a.x, b.x) + 1, y, z);
   }
   constexpr void line() const noexcept { ++memory->counts.sight_lines; }
 };

@@ -31,7 +31,7 @@ template <Floating T>
 struct guarded_part {
   std::vector<point<T, 2>> ring{};
   std::size_t guard = 0;
-  constexpr bool operator==(const guarded_part&) const = default;
+  bool operator==(const guarded_part&) const = default;
 };
 
 /// Guards of a plan, as numbers of its corners; the least number that could do; the parts of the plan.
@@ -41,7 +41,10 @@ struct guard_cover {
   std::vector<std::size_t> guards{};
   std::size_t at_least = 0;
   std::vector<guarded_part<T>> parts{};
-  constexpr bool operator==(const guard_cover&) const = default;
+  bool operator==(const guard_cover&) const = default;
+
+  /// Whether the guards see all of the plan.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == guard_status::ok; }
 };
 
 inline namespace IRG_ABI {

@@ -21,6 +21,7 @@ namespace irg {
 struct visible_set_options {
   std::uint64_t most_doors = std::uint64_t{1} << 24;  ///< looked at from one cell; then all that it connects to is seen
   std::uint32_t most_parts = 256;  ///< of pairs of places, to find a line in space; then a way is held to be open
+  bool operator==(const visible_set_options&) const = default;
 };
 
 /// Which cells may be seen from which.
@@ -30,7 +31,7 @@ struct visible_sets {
   std::int64_t unfinished = 0;  ///< cells whose search was too long: their rows hold all that is connected
   std::int64_t undecided =
       0;  ///< ways in space on which no line was found, and none ruled out: they are held to be open
-  constexpr bool operator==(const visible_sets&) const = default;
+  bool operator==(const visible_sets&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -60,7 +60,7 @@ public:
     visible_region<T> seen = look(source, [&](std::span<const segment<T, 2>> walls) {
       return visibility_polygon(source, domain_, walls, {}, took);
     });
-    const std::int64_t all = static_cast<std::int64_t>(walls_.size()) + (is_empty(domain_) ? 0 : 4);
+    const std::int64_t all = static_cast<std::int64_t>(walls_.size()) + (domain_.empty() ? 0 : 4);
     took.passed_over += all - took.walls;
     took.walls = all;
     counts += took;
@@ -95,15 +95,15 @@ public:
     for (const auto& w : walls) around = bounding_box(bounding_box(around, w.a), w.b);
     double most = 0, farthest = 0;
     for (int i = 0; i < 2; ++i) {
-      low_[i] = widened(greater(around.low[i], domain.low[i]));
-      const double high = widened(lesser(around.high[i], domain.high[i]));
+      low_[i] = widened(maximum(around.low[i], domain.low[i]));
+      const double high = widened(minimum(around.high[i], domain.high[i]));
       width_[i] = high - low_[i];
       for (const double v : {widened(around.low[i]), widened(around.high[i])})
-        farthest = greater(farthest, v < 0 ? -v : v);
-      most = greater(most, greater(low_[i] < 0 ? -low_[i] : low_[i], high < 0 ? -high : high));
+        farthest = maximum(farthest, v < 0 ? -v : v);
+      most = maximum(most, maximum(low_[i] < 0 ? -low_[i] : low_[i], high < 0 ? -high : high));
     }
     // Else all walls are in one tile: where coordinates have few digits that tell tiles apart, or may overflow.
-    const double least = lesser(width_[0], width_[1]);
+    const double least = minimum(width_[0], width_[1]);
     if (walls.size() > 8 && farthest < 0x1p500 && most < 0x1p500 && least > 0x1p-500 && least > most * 0x1p-20)
       choose_size(walls);
     for (int i = 0; i < 2 && count() > 1; ++i) per_unit_[i] = size_[i] / width_[i];
@@ -195,9 +195,9 @@ private:
   template <class F>
   constexpr void for_rows(const segment<T, 2>& w, const F& f) const {
     const double x[2]{widened(w.a.x), widened(w.b.x)}, y[2]{widened(w.a.y), widened(w.b.y)};
-    const double low = lesser(y[0], y[1]), high = greater(y[0], y[1]);
+    const double low = minimum(y[0], y[1]), high = maximum(y[0], y[1]);
     const int first_row = tile_of(1, low), last_row = tile_of(1, high);
-    const int first = tile_of(0, lesser(x[0], x[1])), last = tile_of(0, greater(x[0], x[1]));
+    const int first = tile_of(0, minimum(x[0], x[1])), last = tile_of(0, maximum(x[0], x[1]));
     const double tall = width_[1] / size_[1], wide = width_[0] / size_[0];
     for (int row = first_row; row <= last_row; ++row) {
       if (first_row == last_row || first == last) {
@@ -210,11 +210,11 @@ private:
         const double inner = y[i] < below ? below : above < y[i] ? above : y[i];
         if (inner == y[i]) return x[i];
         const double v = x[i] + (x[1 - i] - x[i]) * ((inner - y[i]) / (y[1 - i] - y[i]));
-        return greater(lesser(x[0], x[1]), lesser(greater(x[0], x[1]), v));
+        return maximum(minimum(x[0], x[1]), minimum(maximum(x[0], x[1]), v));
       };
       if (high < below || above < low) continue;
       const double from = at(0), to = at(1);
-      f(row, tile_of(0, lesser(from, to) - wide / 16), tile_of(0, greater(from, to) + wide / 16));
+      f(row, tile_of(0, minimum(from, to) - wide / 16), tile_of(0, maximum(from, to) + wide / 16));
     }
   }
 };
@@ -235,8 +235,8 @@ public:
     int ring = 0, last = 0;
     for (int axis = 0; axis < 2; ++axis) {
       const int beyond = cell_[axis] - tiles_.size(axis) + 1;
-      ring = greater(ring, greater(-cell_[axis], beyond));
-      last = greater(last, greater(cell_[axis], -beyond));
+      ring = maximum(ring, maximum(-cell_[axis], beyond));
+      last = maximum(last, maximum(cell_[axis], -beyond));
     }
     for (open_.push_back({0, 8}); ring <= last && !open_.empty(); ++ring) {
       for (const arc& a : open_) look_along(ring, a);
@@ -290,7 +290,7 @@ private:
     return {tiles_.distance_in_tiles(0, source_.x, p.x), tiles_.distance_in_tiles(1, source_.y, p.y)};
   }
   static constexpr double size_of(const place& p) noexcept {
-    return greater(p.u < 0 ? -p.u : p.u, p.v < 0 ? -p.v : p.v);
+    return maximum(p.u < 0 ? -p.u : p.u, p.v < 0 ? -p.v : p.v);
   }
 
   static constexpr double direction_of(const place& p) noexcept {
@@ -344,8 +344,8 @@ private:
     for (int side = 0; side < 4; ++side)
       for (const double off : {0.0, side == 0 ? -8.0 : 8.0}) {
         if (off != 0 && side != 0 && side != 3) continue;
-        const double middle = 2 * side + 1, from = greater(open.from + off - middle, -1 - reach);
-        const double to = lesser(open.to + off - middle, 1 + reach);
+        const double middle = 2 * side + 1, from = maximum(open.from + off - middle, -1 - reach);
+        const double to = minimum(open.to + off - middle, 1 + reach);
         if (from > to) continue;
         const bool is_turned = side == 1 || side == 2;
         look_at_side(ring, side, open, {is_turned ? -to : from, is_turned ? -from : to});
@@ -358,10 +358,10 @@ private:
     const double nearest = side < 2 ? ring - within_[across] : ring - 1 + within_[across], farthest = nearest + 1;
     const double low = within_[along] + slope.from * (slope.from < 0 ? farthest : nearest) - border;
     const double high = within_[along] + slope.to * (slope.to > 0 ? farthest : nearest) + border;
-    int first = slope.from < -1 ? -ring : slope.from > 1 ? ring - 1 : greater(whole(low), -ring);
-    int last = slope.to > 1 ? ring : slope.to < -1 ? 1 - ring : lesser(whole(high), ring);
-    first = greater(first + middle, 0);
-    last = lesser(last + middle, tiles_.size(along) - 1);
+    int first = slope.from < -1 ? -ring : slope.from > 1 ? ring - 1 : maximum(whole(low), -ring);
+    int last = slope.to > 1 ? ring : slope.to < -1 ? 1 - ring : minimum(whole(high), ring);
+    first = maximum(first + middle, 0);
+    last = minimum(last + middle, tiles_.size(along) - 1);
     for (int i = first; i <= last; ++i) across == 0 ? look_at(fixed, i, open) : look_at(i, fixed, open);
   }
   constexpr void look_at(int x, int y, const arc& open) {
@@ -407,9 +407,9 @@ private:
     const auto cut = [&](double from, double by) {  // from + t by >= 0
       if (by == 0) return void(last = from < 0 ? -1 : last);
       if (by > 0)
-        first = greater(first, -from / by);
+        first = maximum(first, -from / by);
       else
-        last = lesser(last, -from / by);
+        last = minimum(last, -from / by);
     };
     cut(a.u - low.u, du);
     cut(high.u - a.u, -du);
@@ -461,11 +461,11 @@ private:
     std::size_t k = 0;
     double reached = 0;  // what is covered up to there, of the arcs before k
     for (const arc& o : open_) {
-      double from = greater(o.from, reached);
+      double from = maximum(o.from, reached);
       while (k < covered_.size() && covered_[k].from <= o.to) {
         if (from < covered_[k].from) left_open_.push_back({from, covered_[k].from});
-        reached = greater(reached, covered_[k].to);
-        from = greater(from, reached);
+        reached = maximum(reached, covered_[k].to);
+        from = maximum(from, reached);
         ++k;
       }
       if (from < o.to) left_open_.push_back({from, o.to});

@@ -19,10 +19,10 @@ enum class end_cells {
 };
 
 /// What sight is.
-struct sight_rules {
+struct line_of_sight_options {
   corner_rule corners = corner_rule::pinch;
   end_cells ends = end_cells::untested;
-  constexpr bool operator==(const sight_rules&) const = default;
+  bool operator==(const line_of_sight_options&) const = default;
 };
 
 namespace detail::inline IRG_ABI {
@@ -86,7 +86,7 @@ inline namespace IRG_ABI {
 /// source  Amanatides and Woo 1987 for the steps; Fabris 2012 for the definition
 template <CellGrid G>
 [[nodiscard]] constexpr bool has_line_of_sight(const G& g, const cell3& a, const cell3& b,
-                                               const sight_rules& rules = {}) {
+                                               const line_of_sight_options& rules = {}) {
   const grid_extent e = extent_of(g);
   if (!e.holds(a) || !e.holds(b)) return false;
   if (rules.ends == end_cells::tested && (is_full(g, a) || is_full(g, b))) return false;

@@ -26,20 +26,22 @@ template <Floating T>
 struct space_region {
   std::vector<point<T, 3>> corners;
   region_shape shape = region_shape::flat;
+  bool operator==(const space_region&) const = default;
 };
 
 /// How many random sight lines, which ones, and how wide error bars are.
-struct sight_sampling {
+struct sight_sampling_options {
   std::int64_t lines = 1000;
   std::uint64_t seed = 1;
   double deviations = 2.5758293035489004;  ///< of the normal distribution: 99 of 100 error bars hold the true share
+  bool operator==(const sight_sampling_options&) const = default;
 };
 
 /// How many of some sight lines are free, and between which limits the true share lies, as often as was asked for.
 struct sampled_sight {
   std::int64_t lines = 0, seen = 0;
   double share = 0, low = 0, high = 1;
-  constexpr bool operator==(const sampled_sight&) const = default;
+  bool operator==(const sampled_sight&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -110,7 +112,7 @@ template <Floating T>
 /// source  Wilson 1927
 template <Floating T>
 [[nodiscard]] constexpr sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
-                                                   const mesh<T>& blockers, const sight_sampling& how = {}) {
+                                                   const mesh<T>& blockers, const sight_sampling_options& how = {}) {
   IRG_EXPECTS(!a.corners.empty() && !b.corners.empty() && how.lines >= 1 && how.deviations >= 0);
   const detail::space_blockers<T> between(a.corners, b.corners, blockers);
   detail::place_chooser chooser{how.seed};

@@ -65,7 +65,7 @@ constexpr bool is_hit_before(const segment<T, 2>& way, const sight_hit<T>& x, co
   if (x.at && y.at) return leads_on(way, *x.at, *y.at);
   if (x.at) return orient2d(y.obstacle.a, y.obstacle.b, *x.at) == y.side;
   if (y.at) return orient2d(x.obstacle.a, x.obstacle.b, *y.at) == -x.side;
-  return side_of_crossing(way, x.obstacle, y.obstacle) == y.side;
+  return side_of_crossing(way, x.obstacle, y.obstacle) == static_cast<side>(y.side);
 }
 
 }  // namespace detail::inline IRG_ABI

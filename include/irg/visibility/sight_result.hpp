@@ -23,7 +23,7 @@ enum class obstacle_ends {
 struct sight_options {
   obstacle_ends ends = obstacle_ends::closed;
   fill_rule rule = fill_rule::even_odd;
-  constexpr bool operator==(const sight_options&) const = default;
+  bool operator==(const sight_options&) const = default;
 };
 
 /// How a region came about: `source_on_obstacle` and `source_on_boundary` are answered, what follows them is not.
@@ -49,7 +49,7 @@ struct sight_vertex {
   point<T, 2> at{};
   sight_stop stop = sight_stop::nothing;
   std::size_t index = 0;
-  constexpr bool operator==(const sight_vertex&) const = default;
+  bool operator==(const sight_vertex&) const = default;
 };
 
 /// A region that is seen from a point. Its ring runs counter-clockwise (y up).
@@ -57,7 +57,10 @@ template <Floating T>
 struct visible_region {
   visibility_status status = visibility_status::ok;
   std::vector<sight_vertex<T>> ring{};
-  constexpr bool operator==(const visible_region&) const = default;
+  bool operator==(const visible_region&) const = default;
+
+  /// Whether the source stands free; on an obstacle or the boundary, where this is false, there is a region, too.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == visibility_status::ok; }
 };
 
 /// What a visibility polygon took. Where ends lie in one direction `compared` and `crossings` may depend on the order
@@ -77,7 +80,7 @@ struct sight_counts {
     crossings += o.crossings;
     return *this;
   }
-  constexpr bool operator==(const sight_counts&) const = default;
+  bool operator==(const sight_counts&) const = default;
 };
 
 /// How much is seen of a source from a place, or of each other from two regions: of these, whether no place in one sees
@@ -94,7 +97,10 @@ struct source_regions {
   std::vector<std::vector<point<T, 2>>> none{};  // umbra
   std::size_t lines = 0;  // sight lines past two ends
   std::size_t skipped = 0;  // those of them at which nothing can change
-  constexpr bool operator==(const source_regions&) const = default;
+  bool operator==(const source_regions&) const = default;
+
+  /// Whether the source stands free; on an obstacle or the boundary, where this is false, there are regions, too.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == visibility_status::ok; }
 };
 
 }  // namespace irg

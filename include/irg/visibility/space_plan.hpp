@@ -24,7 +24,7 @@ template <Floating T>
 struct space_portal {
   std::uint32_t first = 0, second = 0;
   std::vector<point<T, 3>> ring;
-  constexpr bool operator==(const space_portal&) const = default;
+  bool operator==(const space_portal&) const = default;
 };
 
 /// A face of a cell: numbers of its corners, counter-clockwise as seen from outside.
@@ -36,7 +36,7 @@ struct space_plan {
   std::vector<std::vector<point<T, 3>>> cells;
   std::vector<space_portal<T>> portals;
   std::vector<std::vector<space_face>> faces{};  ///< of each cell; where there are none, its hull is not looked at
-  constexpr bool operator==(const space_plan&) const = default;
+  bool operator==(const space_plan&) const = default;
 };
 
 /// What is wrong with a plan in space.
@@ -62,7 +62,7 @@ enum class space_plan_defect {
 struct space_plan_finding {
   space_plan_defect defect = space_plan_defect::none;
   std::size_t portal = 0, cell = 0, face = 0;
-  constexpr bool operator==(const space_plan_finding&) const = default;
+  bool operator==(const space_plan_finding&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -166,7 +166,7 @@ template <Floating T>
 constexpr bool choose_axes(space_opening<T>& o) noexcept {
   double greatest = 0, area = -1;
   for (const auto& v : o.ring)
-    for (int i = 0; i < 3; ++i) greatest = greater(greatest, magnitude(v[i]));
+    for (int i = 0; i < 3; ++i) greatest = maximum(greatest, magnitude(v[i]));
   if (!(0x1p-300 < greatest && greatest < 0x1p300)) return false;
   for (int w = 0; w < 3; ++w) {
     const int u = (w + 1) % 3, v = (w + 2) % 3;
@@ -210,7 +210,7 @@ constexpr bool add_lifted(const space_opening<T>& o, double u, double v, std::ve
   if (!(magnitude(at[o.w]) < 0x1p350)) return false;
   if (side(at) == 0) return out.push_back(at), true;
   double scale = 0;
-  for (const auto& p : o.ring) scale = greater(scale, magnitude(p[o.w] - at[o.w]) + magnitude(p[o.w]));
+  for (const auto& p : o.ring) scale = maximum(scale, magnitude(p[o.w] - at[o.w]) + magnitude(p[o.w]));
   for (double off = 0x1p-51; off < 1; off *= 8) {
     point<double, 3> above = at, below = at;
     above[o.w] += off * scale;
@@ -325,7 +325,7 @@ constexpr bool misses_some(space_stabbing<T>& s, const std::vector<point<double,
         for (const auto& q : to) {
           s.most.push_back(most_volume<T>(p, q, o.ring[i], o.ring[i + 1 < o.ring.size() ? i + 1 : 0]));
           is_outside = is_outside && s.most.back() <= 0;
-          greatest = greater(greatest, magnitude(s.most.back()));
+          greatest = maximum(greatest, magnitude(s.most.back()));
         }
       if (is_outside) return true;
       for (std::size_t c = 0; c < columns; ++c) s.most[rows * columns + c] /= greatest;
@@ -364,8 +364,8 @@ constexpr std::optional<bool> is_passed(space_stabbing<T>& s) {
       const int axis = k == 0 ? o.u : o.v;
       whole.low[which][k] = whole.high[which][k] = o.ring[0][axis];
       for (const auto& v : o.ring) {
-        whole.low[which][k] = lesser(whole.low[which][k], v[axis]);
-        whole.high[which][k] = greater(whole.high[which][k], v[axis]);
+        whole.low[which][k] = minimum(whole.low[which][k], v[axis]);
+        whole.high[which][k] = maximum(whole.high[which][k], v[axis]);
       }
     }
   }

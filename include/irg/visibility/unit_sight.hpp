@@ -14,7 +14,7 @@ namespace irg {
 /// Of all pairs of a cell of one region and a cell of another, how many see each other.
 struct region_sight {
   std::int64_t pairs = 0, seen = 0;
-  constexpr bool operator==(const region_sight&) const = default;
+  bool operator==(const region_sight&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -25,7 +25,7 @@ inline namespace IRG_ABI {
 /// cost    has_line_of_sight() for each pair
 template <CellGrid G>
 [[nodiscard]] constexpr cell_grid who_sees_whom(const G& map, std::span<const cell3> units,
-                                                const sight_rules& rules = {}) {
+                                                const line_of_sight_options& rules = {}) {
   const int n = static_cast<int>(units.size());
   cell_grid out(grid_extent{n, n, 1});
   for (int i = 0; i < n; ++i)
@@ -42,7 +42,7 @@ template <CellGrid G>
 /// cost    has_line_of_sight() for each pair
 template <CellGrid G>
 [[nodiscard]] constexpr region_sight see_regions(const G& map, std::span<const cell3> a, std::span<const cell3> b,
-                                                 const sight_rules& rules = {}) {
+                                                 const line_of_sight_options& rules = {}) {
   region_sight out{static_cast<std::int64_t>(a.size()) * static_cast<std::int64_t>(b.size()), 0};
   for (const cell3& p : a)
     for (const cell3& q : b) out.seen += has_line_of_sight(map, p, q, rules) ? 1 : 0;

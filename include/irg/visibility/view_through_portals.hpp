@@ -34,7 +34,7 @@ struct view_wedge {
   point<T, 2> eye{};
   view_reach reach = view_reach::all_round;
   point<T, 2> right{}, left{};
-  constexpr bool operator==(const view_wedge&) const = default;
+  bool operator==(const view_wedge&) const = default;
 };
 
 inline namespace IRG_ABI {

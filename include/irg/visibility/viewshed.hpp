@@ -18,6 +18,7 @@ namespace irg {
 /// How far above their cells the eye and what it looks for are.
 struct sight_heights {
   int eye = 0, target = 0;
+  bool operator==(const sight_heights&) const = default;
 };
 
 /// What a viewshed took. A line of sight goes from cell to cell, each time over the border between two of them.
@@ -34,7 +35,7 @@ struct viewshed_counts {
     passed_over += o.passed_over;
     return *this;
   }
-  constexpr bool operator==(const viewshed_counts&) const = default;
+  bool operator==(const viewshed_counts&) const = default;
 };
 
 namespace detail::inline IRG_ABI {

@@ -54,7 +54,7 @@ template <Floating T>
     const point<T, 2>& source, const box<T, 2>& domain,
     std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {}, const sight_options& options = {}) {
   const point<T, 2>&low = domain.low, &high = domain.high;
-  if (is_empty(domain)) return {visibility_status::source_outside, {}};
+  if (domain.empty()) return {visibility_status::source_outside, {}};
   const point<T, 2> ring[] = {low, {high.x, low.y}, high, {low.x, high.y}};
   return visibility_polygon(source, ring, obstacles, options);
 }
@@ -73,7 +73,7 @@ template <Floating T>
     const sight_options& options, sight_counts& counts) {
   const point<T, 2>&low = domain.low, &high = domain.high;
   const auto walls = static_cast<std::int64_t>(obstacles.size());
-  if (is_empty(domain)) {
+  if (domain.empty()) {
     counts += {.walls = walls, .passed_over = walls};
     return {visibility_status::source_outside, {}};
   }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,19 +14,19 @@
 
 namespace irg {
 
-/// What a viewer on a line sees: the places of the nearest points below and above in a sorted list, and how many points
-/// stand where the viewer does.
+/// What a viewer on a line sees: the places of the nearest points below and above in a sorted list, where there are
+/// any, and how many points stand where the viewer does.
 struct line_neighbours {
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::size_t below = none, above = none, here = 0;
-  constexpr bool operator==(const line_neighbours&) const = default;
+  std::optional<std::size_t> below{}, above{};
+  std::size_t here = 0;
+  bool operator==(const line_neighbours&) const = default;
 };
 
 inline namespace IRG_ABI {
 
 /// The nearest of sorted points on each side of a viewer on their line.
 /// needs   points in rising order, none of them NaN
-/// gives   `none` on a side without points, on both for a viewer that is NaN; of equal points the one next to the
+/// gives   nothing on a side without points, on both for a viewer that is NaN; of equal points the one next to the
 ///         viewer in the list. Points where the viewer stands hide nothing
 /// exact   comparisons alone
 /// cost    log n

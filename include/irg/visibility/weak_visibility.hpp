@@ -187,7 +187,7 @@ constexpr visibility_status take_window(weak_visibility_state<T>& s, const box<T
   s.bounds = window;
   const std::array<point<T, 2>, 4> corners{low, point<T, 2>{high.x, low.y}, high, point<T, 2>{low.x, high.y}};
   for (std::size_t i = 0; i < 4; ++i) s.window.push_back({corners[i], corners[(i + 1) % 4]});
-  return is_empty(window) || is_finite(low, high) ? visibility_status::ok : visibility_status::not_finite;
+  return window.empty() || is_finite(low, high) ? visibility_status::ok : visibility_status::not_finite;
 }
 
 // The inside of a ring as the window.

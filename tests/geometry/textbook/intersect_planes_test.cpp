@@ -58,9 +58,9 @@ TEST_CASE_TEMPLATE("textbook::intersect_planes: numbers of all sizes", T, double
         const auto got = irg::textbook::intersect_planes(one, two);
         const auto n = minors(e[0], e[1]);
         const bool exist = !all_zero(n) && !all_zero(minors(e[3], e[4]));
-        const bool crossing = exist && !(dot(n, e[3]).sign() == 0 && dot(n, e[4]).sign() == 0);
-        if ((got.relation == irg::flat_relation::crossing) != crossing) return wrong;
-        if (!crossing) return 0.0;
+        const bool do_cross = exist && !(dot(n, e[3]).sign() == 0 && dot(n, e[4]).sign() == 0);
+        if ((got.relation == irg::flat_relation::crossing) != do_cross) return wrong;
+        if (!do_cross) return 0.0;
         const bool hold_s4 = dot(n, e[3]).sign() != 0;
         const place<3>&along = e[hold_s4 ? 3 : 4], &held = e[hold_s4 ? 4 : 3];
         const E whole = dot(n, along);

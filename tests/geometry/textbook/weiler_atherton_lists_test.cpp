@@ -24,8 +24,8 @@ TEST_CASE("textbook::list_crossings: two squares, both lists by hand") {
   constexpr auto as_by_hand = [] {
     const auto l = list_crossings(list_square(0, 2), list_square(1, 3));
     std::vector<list_point> subject, clip;
-    for (const listed_vertex& v : l.subject[0]) subject.push_back(v.at);
-    for (const listed_vertex& v : l.clip[0]) clip.push_back(v.at);
+    for (const listed_vertex<double>& v : l.subject[0]) subject.push_back(v.at);
+    for (const listed_vertex<double>& v : l.clip[0]) clip.push_back(v.at);
     return l.status == weiler_atherton_status::ok && l.crossings.size() == 2 && l.crossings[0].enters &&
            !l.crossings[1].enters && l.crossings[0].at == list_point{2, 1} && l.crossings[1].at == list_point{1, 2} &&
            subject == std::vector<list_point>{{0, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}} &&
@@ -62,7 +62,7 @@ TEST_CASE("textbook::list_crossings: vertices in order, crossings between them, 
     if (l.status != weiler_atherton_status::ok) continue;
     crossings += static_cast<int>(l.crossings.size());
     for (const std::size_t which : {0u, 1u}) {
-      const std::vector<listed_vertex>& list = which == 0 ? l.subject[0] : l.clip[0];
+      const std::vector<listed_vertex<double>>& list = which == 0 ? l.subject[0] : l.clip[0];
       std::vector<list_point> vertices;
       std::vector<bool> enters;
       for (std::size_t i = 0; i < list.size(); ++i) {

@@ -20,7 +20,6 @@ constexpr double least = std::numeric_limits<double>::denorm_min(), most = std::
 
 TEST_CASE("big floats: sums, differences and products of doubles of all sizes") {
   static_assert(irg::Number<number>);
-  static_assert(std::is_same_v<irg::exact_number<3>, number>);
   CHECK_BOTH((of(most) + of(least) - of(most) - of(least)).sign() == 0);
   CHECK_BOTH((of(most) * of(most) - of(least)).sign() == 1);
   CHECK_BOTH((of(least) * of(least) * of(-least)).sign() == -1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/nearest_float.hpp>
 
 #include <limits>
 

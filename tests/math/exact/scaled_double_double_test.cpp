@@ -18,7 +18,6 @@ constexpr scaled_double_double of(double x, int exponent = 0) { return {x, 0, ex
 
 TEST_CASE("scaled double-doubles: the four operations far beyond the range of double") {
   static_assert(irg::Scalar<scaled_double_double>);
-  static_assert(std::is_same_v<irg::known_number, scaled_double_double>);
   CHECK_BOTH(irg::rounded_to<double>(of(1.5, 5000) * of(3, -4999)) == 9.0);
   CHECK_BOTH(irg::rounded_to<double>(of(1, 3000) / of(4, 3001)) == 0.125);
   CHECK_BOTH(irg::rounded_to<double>(of(1, 60) - of(1, 0)) == 0x1p60 - 1);

@@ -143,8 +143,8 @@ TEST_CASE(
                    y = static_cast<double>(r.integer(-4, 36)) / 16 - 1;
       corners.push_back({x, y, static_cast<double>(r.integer(1, 9)) / 16});
     }
-    const canvas a = book(corners, irg::identity<double, 4>(), size, size);
-    const canvas b = own(corners, irg::identity<double, 4>(), size, size);
+    const canvas a = book(corners, irg::identity_matrix<double, 4>(), size, size);
+    const canvas b = own(corners, irg::identity_matrix<double, 4>(), size, size);
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {
         REQUIRE((a.picture(x, y) == nothing) == (b.picture(x, y) == nothing));

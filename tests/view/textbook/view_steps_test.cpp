@@ -6,7 +6,7 @@
 #include "support/check_both.hpp"
 
 using irg::hpoint;
-using irg::identity;
+using irg::identity_matrix;
 using irg::mat;
 using irg::textbook::transform_row;
 
@@ -32,8 +32,8 @@ TEST_CASE("textbook view steps: what each does to a row") {
 }
 
 TEST_CASE("textbook view steps: each alone is total") {
-  CHECK_BOTH(irg::textbook::view_rotation_z(P{0, 0, 7}) == identity<double, 4>());
-  CHECK_BOTH(irg::textbook::view_rotation_z(P{not_a_number, 0, 7}) == identity<double, 4>());
-  CHECK_BOTH(irg::textbook::view_rotation_y(P{0, 0, 0}) == identity<double, 4>());
-  CHECK_BOTH(irg::textbook::view_rotation_y(P{0, 0, inf}) == identity<double, 4>());
+  CHECK_BOTH(irg::textbook::view_rotation_z(P{0, 0, 7}) == identity_matrix<double, 4>());
+  CHECK_BOTH(irg::textbook::view_rotation_z(P{not_a_number, 0, 7}) == identity_matrix<double, 4>());
+  CHECK_BOTH(irg::textbook::view_rotation_y(P{0, 0, 0}) == identity_matrix<double, 4>());
+  CHECK_BOTH(irg::textbook::view_rotation_y(P{0, 0, inf}) == identity_matrix<double, 4>());
 }

@@ -13,7 +13,7 @@
 #include "support/random.hpp"
 
 using irg::hpoint;
-using irg::identity;
+using irg::identity_matrix;
 using irg::look_at;
 using irg::mat;
 using irg::point;
@@ -139,7 +139,7 @@ TEST_CASE("view_transform: where the course divides by zero") {
   constexpr auto down = steps({0, 0, 5}, {0, 0, 0});  // cosine 1, sine 0
   static_assert(down.status == view_status::view_vertical && down.h == 5);
   CHECK_BOTH(view_transform(P{0, 0, 5}, P{0, 0, 0}) == M{{{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, -1, 0}, {0, 0, 5, 1}}});
-  CHECK_BOTH(down.t2 == identity<double, 4>());
+  CHECK_BOTH(down.t2 == identity_matrix<double, 4>());
   // look_at's stand-in for up agrees looking down, and is turned by half a turn looking up.
   CHECK_BOTH(transpose(third_row_negated(look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 0, 1}))) ==
              view_transform(P{0, 0, 5}, P{0, 0, 0}));
@@ -149,12 +149,12 @@ TEST_CASE("view_transform: where the course divides by zero") {
 
   constexpr auto none = steps({1, 2, 3}, {1, 2, 3});
   static_assert(none.status == view_status::eye_at_view_point && none.h == 0);
-  CHECK_BOTH((none.t2 == identity<double, 4>() && none.t3 == identity<double, 4>()));
+  CHECK_BOTH((none.t2 == identity_matrix<double, 4>() && none.t3 == identity_matrix<double, 4>()));
   CHECK_BOTH(view_transform(P{1, 2, 3}, P{1, 2, 3}) == M{{{0, -1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {2, 1, -3, 1}}});
   CHECK_BOTH(!perspective_matrix(none.h));
 
   CHECK_BOTH(steps({not_a_number, 0, 0}, {0, 0, 0}) == view_steps<double>{});
-  CHECK_BOTH(view_transform(P{0, 0, 0}, P{0, inf, 0}) == identity<double, 4>());
+  CHECK_BOTH(view_transform(P{0, 0, 0}, P{0, inf, 0}) == identity_matrix<double, 4>());
   CHECK_BOTH(steps({most, 0, 0}, {0, 0, 0}).status == view_status::not_finite);
 }
 

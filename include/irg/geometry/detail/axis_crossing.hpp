@@ -28,8 +28,8 @@ IRG_NOINLINE constexpr T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexce
   if (above.sign() == 0) return T(0);
   const int up = above.exponent(), down = below.exponent();
   double guess = above.rounded(-up) / below.rounded(-down);
-  for (int k = lesser(up - down, 1000); k != 0;) {
-    const int part = greater(k, -1000);
+  for (int k = minimum(up - down, 1000); k != 0;) {
+    const int part = maximum(k, -1000);
     guess *= power_of_two(part), k -= part;
   }
   const auto side = [&](T p, T q) {
@@ -39,7 +39,7 @@ IRG_NOINLINE constexpr T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexce
     sum.subtract(wide(q), x2), sum.add(wide(q), x1);
     return below.sign() * sum.sign();
   };
-  return nearest_by_sign(lesser(ay, by), greater(ay, by), converted<T>(guess), side);
+  return nearest_by_sign(minimum(ay, by), maximum(ay, by), converted<T>(guess), side);
 }
 
 IRG_INLINE constexpr float axis_crossing_of(float ax, float ay, float bx, float by, float x) noexcept {
@@ -56,7 +56,7 @@ IRG_INLINE constexpr float axis_crossing_of(float ax, float ay, float bx, float 
 // count.
 IRG_INLINE constexpr bool axis_crossing_from(double ax, double ay, double bx, double by, double x, double& y) noexcept {
   const double largest =
-      greater(greater(greater(magnitude(ax), magnitude(bx)), magnitude(x)), greater(magnitude(ay), magnitude(by)));
+      maximum(maximum(maximum(magnitude(ax), magnitude(bx)), magnitude(x)), maximum(magnitude(ay), magnitude(by)));
   if (!(largest < 0x1p200 && magnitude(bx - ax) > 0x1p-800)) return false;
   const auto found =
       refined_crossing(ay, parts_of_difference(bx, ax), parts_of_difference(by, ay), parts_of_difference(x, ax));

@@ -19,7 +19,6 @@
 #include <irg/geometry/detail/axis_crossing.hpp>
 #include <irg/geometry/detail/half_space.hpp>
 #include <irg/geometry/parametric_plane.hpp>
-#include <irg/math/exact/compare_numbers.hpp>
 #include <irg/math/exact/filtered_number.hpp>
 #include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact/quotients_of.hpp>
@@ -89,7 +88,7 @@ constexpr void place_about(Corner& c, const Meeting& meeting, const In&... in) n
     const double from = widened(coordinate(meeting.first(in...), i)), part = way[i].value / divisor.value;
     c.about[static_cast<std::size_t>(i)] = from + part;
     const double way_off = (product(relative, way[i].size) + product(magnitude(part), off)) / size;
-    error = greater(error, product(3.0, way_off) + product(0x1p-52, magnitude(from) + magnitude(part)));
+    error = maximum(error, product(3.0, way_off) + product(0x1p-52, magnitude(from) + magnitude(part)));
   }
   c.error = error;
 }
@@ -280,7 +279,7 @@ private:
     double most = 0;
     for (std::size_t i = 0; i < c.about.size(); ++i) {
       c.about[i] = widened(coordinate(at, static_cast<int>(i)));
-      most = greater(most, magnitude(c.about[i]));
+      most = maximum(most, magnitude(c.about[i]));
     }
     const auto wide = [](T x) { return widened(x); };
     c.error = most < 0x1p80 ? most * wide(std::numeric_limits<T>::epsilon()) + wide((std::numeric_limits<T>::min)())
@@ -335,7 +334,7 @@ private:
     const double error = (c.error + from.error + to.error) * 2;
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = from.about[i], y = to.about[i], z = c.about[i];
-      if (z + error < lesser(x, y) || greater(x, y) < z - error) return false;
+      if (z + error < minimum(x, y) || maximum(x, y) < z - error) return false;
     }
     for (std::size_t k = 0; k < c.boundary; ++k)
       if (side(c, k) < 0) return false;
@@ -346,7 +345,7 @@ private:
     const P p = place(from), q = place(to);
     const auto first = boundary_(c.line - polygon_.size()), second = boundary_(c.boundary);
     const std::size_t k = std::exchange(c.boundary, corner::none);
-    const auto steep = [&](std::size_t i) { return greater(first.numbers[i], -first.numbers[i]); };
+    const auto steep = [&](std::size_t i) { return maximum(first.numbers[i], -first.numbers[i]); };
     const std::size_t lower = steep(0) < steep(1) ? 1 : 0, up = steep(lower) < steep(2) ? 2 : lower;
     const P over = generate_coordinates<P>([&](int i) {
       const T x = coordinate(p, i);
@@ -363,7 +362,7 @@ private:
   static constexpr T part_of_way(const P& a, const P& b, const P& at) noexcept {
     const auto extent = [&](int i) {
       const T x = coordinate(a, i), y = coordinate(b, i);
-      return greater(x, y) / T(2) - lesser(x, y) / T(2);
+      return maximum(x, y) / T(2) - minimum(x, y) / T(2);
     };
     int axis = 0;
     for (int i = 1; i < D; ++i) axis = extent(axis) < extent(i) ? i : axis;

@@ -60,9 +60,9 @@ struct IRG_APART ranged_number {
   }
   IRG_INLINE constexpr ranged_number operator-() const noexcept { return {-value, size, exponent}; }
   IRG_INLINE friend constexpr ranged_number operator+(const ranged_number& a, const ranged_number& b) noexcept {
-    const int top = greater(a.exponent, b.exponent);
+    const int top = maximum(a.exponent, b.exponent);
     const auto power = [&](int e) {
-      return from_bits(static_cast<std::uint64_t>(1023 + greater(e - top, -1000)) << 52);
+      return from_bits(static_cast<std::uint64_t>(1023 + maximum(e - top, -1000)) << 52);
     };
     const double x = power(a.exponent), y = power(b.exponent);
     return {a.value * x + b.value * y, a.size * x + b.size * y, top};
@@ -179,7 +179,7 @@ IRG_INLINE constexpr int sign_of_nonzero(double x) noexcept {
 template <int M, int D>
 IRG_INLINE constexpr double reach(const point_table<double, M, D>& t, int k) noexcept {
   double largest = magnitude(t(0, k));
-  for (int i = 1; i < M; ++i) largest = greater(largest, magnitude(t(i, k)));
+  for (int i = 1; i < M; ++i) largest = maximum(largest, magnitude(t(i, k)));
   return largest;
 }
 
@@ -189,7 +189,7 @@ IRG_INLINE constexpr double largest_magnitude(const double* x) noexcept {
   if constexpr (N == 1)
     return magnitude(x[0]);
   else
-    return greater(largest_magnitude<N / 2>(x), largest_magnitude<N - N / 2>(x + N / 2));
+    return maximum(largest_magnitude<N / 2>(x), largest_magnitude<N - N / 2>(x + N / 2));
 }
 
 template <int N>

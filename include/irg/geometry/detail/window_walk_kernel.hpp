@@ -380,12 +380,12 @@ constexpr edge_crossings<plain_pair> cross_edge(const double* edge, const plain_
     const double ax = edge[k], ay = edge[1 - k], bx = edge[2 + k], by = edge[3 - k], x = bounds.at[k];
     const unsigned bit = 1u << k;
     found.delicate |= bit;
-    if (!(lesser(magnitude(x - ax), magnitude(bx - x)) > w.tolerance)) continue;
+    if (!(minimum(magnitude(x - ax), magnitude(bx - x)) > w.tolerance)) continue;
     const auto parts =
         refined_crossing(ay, parts_of_difference(bx, ax), parts_of_difference(by, ay), parts_of_difference(x, ax));
     const bool rounds = rounds_to<T>(parts.guess, parts.correction, w.error, found.at.at[k]) || ay == by;
     const double place = std::is_same_v<T, float> ? found.at.at[k] : parts.guess;
-    const double below = place - w.low.at[k], above = w.high.at[k] - place, inner = lesser(below, above);
+    const double below = place - w.low.at[k], above = w.high.at[k] - place, inner = minimum(below, above);
     const bool again = x == last.at[k] && found.at.at[k] == last.at[1 - k];
     if (k == 0) found.place = (below < 0 ? 1u : 0u) | (above < 0 ? 2u : 0u);
     if (rounds && !again && magnitude(inner) > w.tolerance) found.delicate ^= bit;
@@ -413,8 +413,8 @@ IRG_INLINE edge_crossings<walk_pair> cross_edge(const double* edge, const walk_p
     found.at = parts.guess + parts.correction;
     rounds = parts.guess + (parts.correction - error) == parts.guess + (parts.correction + error);
   }
-  const walk_pair below = place - w.low, above = w.high - place, inner = low_of(below, above);
-  const walk_pair nearest = low_of(low_of(magnitude(s.value), magnitude(b - bounds)), magnitude(inner));
+  const walk_pair below = place - w.low, above = w.high - place, inner = minimum(below, above);
+  const walk_pair nearest = minimum(minimum(magnitude(s.value), magnitude(b - bounds)), magnitude(inner));
   const auto level = dy.value == walk_pair{}, clear = L::broadcast(w.tolerance) < nearest;
   const auto again = (bounds == last) & (found.at == swapped(last));
   found.place = sign_bits(firsts(below, above));

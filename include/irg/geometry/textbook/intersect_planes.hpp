@@ -15,6 +15,7 @@ struct planes_meeting {
   flat_relation relation = flat_relation::none;
   point<T, 3> at_zero{}, at_one{};
   enum class parameter { s3, s4 } held = parameter::s4;
+  bool operator==(const planes_meeting&) const = default;
 };
 
 /// Which parameter of the second plane is held first: the program's order or the text's.

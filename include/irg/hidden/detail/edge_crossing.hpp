@@ -77,8 +77,8 @@ constexpr depth_places places_of(const Face& f, const Edge& e) noexcept {
   const auto take = [&](float d) {
     const integer_parts<float> x = integer_parts_of(d);
     if (x.significand == 0) return;
-    places.lowest = lesser(places.lowest, x.place);
-    places.highest = greater(places.highest, x.place);
+    places.lowest = minimum(places.lowest, x.place);
+    places.highest = maximum(places.highest, x.place);
   };
   for (const float d : f.depth) take(d);
   for (const float d : e.depth) take(d);
@@ -188,7 +188,7 @@ template <int N>
 constexpr double rounded_ratio(const place_ratio<N>& r) noexcept {
   int top = N - 1;
   while (top > 0 && r.denominator.word[top] == 0) --top;
-  const int drop = lesser(static_cast<int>(std::countl_zero(r.denominator.word[top])), 62) - 2;
+  const int drop = minimum(static_cast<int>(std::countl_zero(r.denominator.word[top])), 62) - 2;
   const auto leading = [&](const wide_int<N>& v) {
     if (drop < 0) return v.word[top] >> -drop;
     if (top == 0) return v.word[0];

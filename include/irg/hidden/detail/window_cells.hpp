@@ -84,7 +84,7 @@ template <class Face>
 constexpr depth_places places_of_both(const Face& f, const Face& g) noexcept {
   const hidden_edge none{};
   const depth_places p = places_of(f, none), q = places_of(g, none);
-  return {lesser(p.lowest, q.lowest), greater(p.highest, q.highest)};
+  return {minimum(p.lowest, q.lowest), maximum(p.highest, q.highest)};
 }
 
 template <int N, class Face>
@@ -121,7 +121,7 @@ constexpr void round_line(std::span<const Face> faces, picture_line& line) noexc
   for (const wide_int<N>* v : {&e.a, &e.b, &e.c}) {
     const wide_int<N> size = size_of_integer(*v);  // that of -2^64 has a word more than -2^64
     for (int i = 0; i < N; ++i)
-      if (size.word[i] != 0) top = greater(top, i);
+      if (size.word[i] != 0) top = maximum(top, i);
   }
   line.a = scaled_down(e.a, top);
   line.b = scaled_down(e.b, top);
@@ -209,7 +209,7 @@ struct window_cell {
 };
 struct finished_cell {
   std::vector<cell_corner> corners{};
-  std::uint32_t number = no_face;
+  std::uint32_t number = no_index;
 };
 
 inline namespace IRG_ABI {
@@ -228,7 +228,7 @@ struct window_cutting {
 
 template <class Cutting>
 constexpr int words_of(const Cutting& s, const picture_point& p) noexcept {
-  return greater(s.lines[p.line[0]].words, s.lines[p.line[1]].words);
+  return maximum(s.lines[p.line[0]].words, s.lines[p.line[1]].words);
 }
 template <int N, class Cutting>
 constexpr exact_meeting<N> exact_meeting_of(const Cutting& s, const picture_point& p) noexcept {
@@ -237,7 +237,7 @@ constexpr exact_meeting<N> exact_meeting_of(const Cutting& s, const picture_poin
 }
 template <class Cutting>
 constexpr std::uint32_t add_meeting(Cutting& s, std::uint32_t l, std::uint32_t m) {
-  picture_point p{{lesser(l, m), greater(l, m)}};
+  picture_point p{{minimum(l, m), maximum(l, m)}};
   with_line_words(words_of(s, p), [&](auto n) {
     const auto e = exact_meeting_of<n.value>(s, p);
     p.x = place_in_window(e.x, e.w, p.is_exact[0]);
@@ -258,7 +258,7 @@ constexpr int side_of_picture_line(const Cutting& s, const picture_line& line, c
   if (value < -bound) return -1;
   const picture_line &l = s.lines[p.line[0]], &m = s.lines[p.line[1]];
   if (is_one_line(line, l) || is_one_line(line, m)) return 0;
-  return with_line_words(greater(line.words, greater(l.words, m.words)), [&](auto n) {
+  return with_line_words(maximum(line.words, maximum(l.words, m.words)), [&](auto n) {
     const auto e = coefficients_of<n.value>(s.faces, line);
     const auto q = point_on_both(coefficients_of<n.value>(s.faces, l), coefficients_of<n.value>(s.faces, m));
     return (e.a * q.x + e.b * q.y + e.c * q.w).sign();
@@ -271,7 +271,7 @@ constexpr int compare_coordinate(const Cutting& s, int axis, const picture_point
   if (u != v) return u < v ? -1 : 1;  // rounding keeps the order
   if (p.is_exact[axis] && q.is_exact[axis]) return 0;
   if (p.line[0] == q.line[0] && p.line[1] == q.line[1]) return 0;
-  return with_line_words(greater(words_of(s, p), words_of(s, q)), [&](auto n) {
+  return with_line_words(maximum(words_of(s, p), words_of(s, q)), [&](auto n) {
     const auto a = exact_meeting_of<n.value>(s, p), b = exact_meeting_of<n.value>(s, q);
     return axis == 0 ? (a.x * b.w - b.x * a.w).sign() : (a.y * b.w - b.y * a.w).sign();
   });
@@ -279,7 +279,7 @@ constexpr int compare_coordinate(const Cutting& s, int axis, const picture_point
 // Whether two lines have one direction.
 template <class Cutting>
 constexpr bool have_one_direction(const Cutting& s, const picture_line& l, const picture_line& m) noexcept {
-  return is_one_line(l, m) || with_line_words(greater(l.words, m.words), [&](auto n) {
+  return is_one_line(l, m) || with_line_words(maximum(l.words, m.words), [&](auto n) {
            const auto p = coefficients_of<n.value>(s.faces, l), q = coefficients_of<n.value>(s.faces, m);
            return (p.a * q.b - q.a * p.b).sign() == 0;
          });
@@ -317,8 +317,8 @@ constexpr cell_box box_of_cell(const Cutting& s, const window_cell& cell) noexce
   for (const cell_corner& c : cell.corners) {
     const double at[2] = {s.points[c.point].x, s.points[c.point].y};
     for (int i = 0; i < 2; ++i) {
-      box.low[i] = lesser(box.low[i], at[i]);
-      box.high[i] = greater(box.high[i], at[i]);
+      box.low[i] = minimum(box.low[i], at[i]);
+      box.high[i] = maximum(box.high[i], at[i]);
     }
   }
   return box;
@@ -331,10 +331,10 @@ constexpr void drop_faces_beside(const Cutting& s, window_cell& cell) {
   std::size_t kept = 0;
   for (cell_candidate c : cell.faces) {
     const subpixel(&p)[3] = s.faces[c.face].p;  // corners are whole numbers: rounded places do not pass them
-    bool beside = c.inside == 0 && (greater(p[0].x, greater(p[1].x, p[2].x)) < box.low[0] ||
-                                    lesser(p[0].x, lesser(p[1].x, p[2].x)) > box.high[0] ||
-                                    greater(p[0].y, greater(p[1].y, p[2].y)) < box.low[1] ||
-                                    lesser(p[0].y, lesser(p[1].y, p[2].y)) > box.high[1]);
+    bool beside = c.inside == 0 && (maximum(p[0].x, maximum(p[1].x, p[2].x)) < box.low[0] ||
+                                    minimum(p[0].x, minimum(p[1].x, p[2].x)) > box.high[0] ||
+                                    maximum(p[0].y, maximum(p[1].y, p[2].y)) < box.low[1] ||
+                                    minimum(p[0].y, minimum(p[1].y, p[2].y)) > box.high[1]);
     for (int i = 0; i < 3 && !beside; ++i) {
       if ((c.inside >> i & 1) != 0) continue;
       const unsigned sides = sides_of_cell(s, s.sides[std::size_t{3} * c.face + static_cast<unsigned>(i)], cell);
@@ -464,7 +464,7 @@ constexpr void cut_or_finish(Cutting& s, window_cell&& cell, std::vector<window_
     return split_cell(s, cell, s.sides[std::size_t{3} * next->face + side], waiting);
   }
   if (meets) return split_cell(s, cell, line, waiting);
-  s.cells.push_back({std::move(cell.corners), cell.faces.empty() ? no_face : s.numbers[cell.faces[0].face]});
+  s.cells.push_back({std::move(cell.corners), cell.faces.empty() ? no_index : s.numbers[cell.faces[0].face]});
 }
 
 template <class Cutting>
@@ -473,8 +473,8 @@ constexpr void cut_into_cells(Cutting& s, const cell_window& w) {
   for (std::uint32_t f = 0; f < s.faces.size(); ++f) {
     for (int i = 0; i < 3; ++i) s.sides.push_back(line_of_side(s.faces, f, i));
     const float(&depth)[3] = s.faces[f].depth;
-    s.nearest.push_back(greater(depth[0], greater(depth[1], depth[2])));
-    s.farthest.push_back(lesser(depth[0], lesser(depth[1], depth[2])));
+    s.nearest.push_back(maximum(depth[0], maximum(depth[1], depth[2])));
+    s.farthest.push_back(minimum(depth[0], minimum(depth[1], depth[2])));
   }
   window_cell all;
   const auto edge = [&](picture_line_kind kind, int pixel) {

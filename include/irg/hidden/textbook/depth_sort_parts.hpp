@@ -19,6 +19,7 @@ template <Floating T>
 struct depth_sorted_polygon {
   std::vector<point<T, 3>> corners{};
   std::uint32_t number = 0;  // of the polygon, counted from 0
+  bool operator==(const depth_sorted_polygon&) const = default;
 };
 
 /// The same in the list.
@@ -31,6 +32,7 @@ struct depth_sort_part {
   std::uint32_t made = 0;  // as which of all polygons and parts
   std::vector<std::uint32_t> let_pass{};  // those of them that it does not hide but for roundings
   bool moved = false;
+  bool operator==(const depth_sort_part&) const = default;
 };
 
 /// The parts that are left, what is drawn first at the end, and how many were made.
@@ -38,6 +40,7 @@ template <Floating T>
 struct depth_sort_list {
   std::vector<depth_sort_part<T>> parts{};
   std::uint32_t made = 0;
+  bool operator==(const depth_sort_list&) const = default;
 };
 
 inline namespace IRG_ABI {

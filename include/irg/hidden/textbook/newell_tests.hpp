@@ -19,6 +19,7 @@ template <Scalar T>
 struct visible_plane {
   point<T, 3> p{}, q{}, r{};
   int up = 0;
+  bool operator==(const visible_plane&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -72,7 +73,7 @@ template <SpaceRing P, SpaceRing Q>
   if (test == newell_step::x_apart || test == newell_step::y_apart) {
     const int axis = test == newell_step::x_apart ? 0 : 1;
     const auto a = bounding_box(p), b = bounding_box(q);
-    return is_empty(a) || is_empty(b) || !(b.low[axis] < a.high[axis]) || !(a.low[axis] < b.high[axis]);
+    return a.empty() || b.empty() || !(b.low[axis] < a.high[axis]) || !(a.low[axis] < b.high[axis]);
   }
   if (test == newell_step::behind_plane || test == newell_step::in_front_of_plane) {
     const bool behind = test == newell_step::behind_plane;

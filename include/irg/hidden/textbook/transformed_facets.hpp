@@ -20,6 +20,7 @@ enum class vertex_memory { none, row };
 /// How much was done to transform the vertices of all facets.
 struct transform_counts {
   std::int64_t facets = 0, transforms = 0;
+  bool operator==(const transform_counts&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -69,7 +70,7 @@ constexpr transform_counts visit_transformed_facets(const grid_covering& c, cons
         corners[di + dj] = kept(j), corners[di + (1 - dj)] = kept(j + along_j);
         corners[(2 - di) + dj] = behind, corners[(2 - di) + (1 - dj)] = next;
         ++counts.facets;
-        visit(grid_facet{greater(i, i + along_i), greater(j, j + along_j)}, corners);
+        visit(grid_facet{maximum(i, i + along_i), maximum(j, j + along_j)}, corners);
         kept(j) = behind;
         behind = next;
       }
@@ -77,9 +78,9 @@ constexpr transform_counts visit_transformed_facets(const grid_covering& c, cons
     }
   };
   for (const bool j_rises : {true, false}) {
-    const int j = j_rises ? c.first_j - 1 : greater(0, c.last_j), last_j = j_rises ? c.m : 0;
+    const int j = j_rises ? c.first_j - 1 : maximum(0, c.last_j), last_j = j_rises ? c.m : 0;
     loop(c.first_i - 1, c.n, j, last_j);
-    loop(greater(0, c.last_i), 0, j, last_j);
+    loop(maximum(0, c.last_i), 0, j, last_j);
   }
   return counts;
 }

@@ -52,8 +52,8 @@ constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& out, const R
     const auto p = ring_vertex(ring, i);
     for (const T c : {coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)})
       if (!(-(1 << 30) <= c && c <= 1 << 30)) return false;
-    low = lesser(low, coordinate(p, 2));
-    high = greater(high, coordinate(p, 2));
+    low = minimum(low, coordinate(p, 2));
+    high = maximum(high, coordinate(p, 2));
   }
   const auto plane = irg::newell_plane(ring);
   const auto steps = plane ? plane_depth_steps(*plane) : std::nullopt;
@@ -62,7 +62,7 @@ constexpr bool zbuffer_polygon(const zbuffer<Order, Screen, Depth>& out, const R
   return irg::convex_spans(flat_ring<R>(ring, 2), out.window, [&](const span_of_cells& s) {
     walk.start(s.x_first, s.y);
     for (int x = s.x_first; x < s.x_last; ++x, walk.next())
-      out.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(clamp(walk.value(), low, high)), v);
+      out.set_pixel(x, s.y, static_cast<pixel_of<Depth>>(clamped(walk.value(), low, high)), v);
   });
 }
 

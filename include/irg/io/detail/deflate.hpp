@@ -60,7 +60,7 @@ template <class Position = std::uint16_t>
 class match_finder {
 public:
   constexpr explicit match_finder(std::span<const std::uint8_t> data)
-      : data_(data.data()), size_(data.size()), shift_(32 - lesser(static_cast<int>(std::bit_width(data.size())), 15)),
+      : data_(data.data()), size_(data.size()), shift_(32 - minimum(static_cast<int>(std::bit_width(data.size())), 15)),
         mask_(data.size() < window_size ? std::bit_ceil(data.size() + 1) - 1 : window_size - 1),
         newest_(std::size_t{1} << (32 - shift_), Position{0}), older_(mask_ + 1, Position{0}) {}
 

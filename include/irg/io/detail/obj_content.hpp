@@ -94,8 +94,8 @@ struct obj_line {
 
 /// How many of each kind of vertex data there are; until the end of the text is reached, as many as indices can name.
 struct IRG_APART obj_counts {
-  std::size_t positions = mesh_corner::none, texcoords = mesh_corner::none, normals = mesh_corner::none;
-  constexpr bool operator==(const obj_counts&) const = default;
+  std::size_t positions = no_index, texcoords = no_index, normals = no_index;
+  bool operator==(const obj_counts&) const = default;
 
   constexpr bool reach(const obj_counts& o) const noexcept {
     return positions >= o.positions && texcoords >= o.texcoords && normals >= o.normals;
@@ -268,7 +268,7 @@ struct obj_content {
       if (count == most) return false;
       mesh_corner& c = first[count];
       if (!line.index(c.position, position)) return false;
-      c.normal = c.texcoord = mesh_corner::none;
+      c.normal = c.texcoord = no_index;
       if (line.text[line.at] == '/') {
         line.pass();
         if (line.text[line.at] != '/' && !line.index(c.texcoord, texcoord)) return false;

@@ -41,7 +41,7 @@ inline constexpr obj_index_messages obj_normal_messages{
 /// The names that the next faces belong to, as they stand in the text.
 struct obj_names {
   std::string_view object, group, material;
-  constexpr bool operator==(const obj_names&) const = default;
+  bool operator==(const obj_names&) const = default;
   constexpr std::size_t bytes() const noexcept { return object.size() + group.size() + material.size(); }
 };
 

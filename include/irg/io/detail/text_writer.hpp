@@ -19,12 +19,12 @@ constexpr void append_text(Bytes& out, std::string_view text) {
 template <class Bytes, Floating T>
 constexpr void append_number(Bytes& out, T x) {
   char text[longest_decimal<T>] = {};
-  append_text(out, {text, static_cast<std::size_t>(print_decimal(text, text + sizeof text, x) - text)});
+  append_text(out, {text, static_cast<std::size_t>(*print_decimal(text, text + sizeof text, x) - text)});
 }
 template <class Bytes, std::integral J>
 constexpr void append_number(Bytes& out, J n) {
   char text[20] = {};
-  append_text(out, {text, static_cast<std::size_t>(print_integer(text, text + sizeof text, n) - text)});
+  append_text(out, {text, static_cast<std::size_t>(*print_integer(text, text + sizeof text, n) - text)});
 }
 
 /// Appends texts and numbers, one after the other.

@@ -33,8 +33,8 @@ constexpr vertex_layout<Corner> vertices_to_write(const mesh<T>& m) {
   out.normals = belong(m.normals.size());
   out.texcoords = belong(m.texcoords.size());
   for (const mesh_corner& c : m.corners) {
-    out.normals = out.normals && c.normal != mesh_corner::none;
-    out.texcoords = out.texcoords && c.texcoord != mesh_corner::none;
+    out.normals = out.normals && c.normal != no_index;
+    out.texcoords = out.texcoords && c.texcoord != no_index;
   }
   if (!out.normals && !out.texcoords) {
     for (std::uint32_t v = 0; v < m.positions.size(); ++v) out.vertices.push_back({v});
@@ -42,8 +42,8 @@ constexpr vertex_layout<Corner> vertices_to_write(const mesh<T>& m) {
     return out;
   }
   const auto kept = [&](mesh_corner c) {
-    if (!out.normals) c.normal = mesh_corner::none;
-    if (!out.texcoords) c.texcoord = mesh_corner::none;
+    if (!out.normals) c.normal = no_index;
+    if (!out.texcoords) c.texcoord = no_index;
     return c;
   };
   const auto before = [](const Corner& a, const Corner& b) {
@@ -57,8 +57,8 @@ constexpr vertex_layout<Corner> vertices_to_write(const mesh<T>& m) {
   }
   for (std::uint32_t v = 0; v < m.positions.size(); ++v)  // what no corner names is written, too
     if (used[v] == 0)
-      out.vertices.push_back({v, out.normals && v < m.normals.size() ? v : mesh_corner::none,
-                              out.texcoords && v < m.texcoords.size() ? v : mesh_corner::none});
+      out.vertices.push_back({v, out.normals && v < m.normals.size() ? v : no_index,
+                              out.texcoords && v < m.texcoords.size() ? v : no_index});
   std::sort(out.vertices.begin(), out.vertices.end(), before);
   out.vertices.erase(std::unique(out.vertices.begin(), out.vertices.end()), out.vertices.end());
   out.of_corner.reserve(m.corners.size());
@@ -72,11 +72,11 @@ constexpr vertex_layout<Corner> vertices_to_write(const mesh<T>& m) {
 /// The vertex's normal; zero where it has none.
 template <Scalar T>
 constexpr vec<T, 3> normal_to_write(const mesh<T>& m, const mesh_corner& c) noexcept {
-  return c.normal == mesh_corner::none ? vec<T, 3>{} : m.normals[c.normal];
+  return c.normal == no_index ? vec<T, 3>{} : m.normals[c.normal];
 }
 template <Scalar T>
 constexpr vec<T, 2> texcoord_to_write(const mesh<T>& m, const mesh_corner& c) noexcept {
-  return c.texcoord == mesh_corner::none ? vec<T, 2>{} : m.texcoords[c.texcoord];
+  return c.texcoord == no_index ? vec<T, 2>{} : m.texcoords[c.texcoord];
 }
 
 }  // namespace IRG_ABI

@@ -62,7 +62,7 @@ constexpr scaled_sum<K> scaled_parts(const exact_accumulator<K>& sum) noexcept {
 template <int K, int L>
 IRG_NOINLINE constexpr int compare_quotient(const exact_accumulator<K>& above, const exact_accumulator<L>& below,
                                             double t, double step) noexcept {
-  exact_accumulator<greater(K, L) + 1> difference;
+  exact_accumulator<maximum(K, L) + 1> difference;
   difference.add(above, 2.0);
   difference.add(below, -t);
   difference.add(below, -t);

@@ -60,7 +60,7 @@ constexpr exponent_range exponents_of(int n, const C& c, const E& e) noexcept {
   for (int i = 0; i < n; ++i)
     if (const double x = c(i); x != 0) {
       const int exponent = exponent_of(x) - e(i);
-      range.largest = greater(range.largest, exponent);
+      range.largest = maximum(range.largest, exponent);
       range.sum += exponent;
       ++range.count;
     }
@@ -95,7 +95,7 @@ constexpr scaled_sizes equilibrate(M& a, int n, int* row_exponent, int* column_e
         continue;
       }
       a(r, c) = times_power_of_two(a(r, c), -row_exponent[r] - column_exponent[c]);
-      sizes.least = lesser(magnitude(a(r, c)), sizes.least);
+      sizes.least = minimum(magnitude(a(r, c)), sizes.least);
     }
   }
   return sizes;
@@ -120,7 +120,7 @@ constexpr double largest_of(const vec<double, N>& v) noexcept {
   double largest = 0;
   for (int i = 0; i < N; ++i) {
     if (!(v[i] == v[i])) return v[i];
-    largest = greater(magnitude(v[i]), largest);
+    largest = maximum(magnitude(v[i]), largest);
   }
   return largest;
 }

@@ -63,7 +63,7 @@ public:
     big_float sum;
     const bool add = a.negative_ == b.negative_, a_larger = add || !is_smaller(a, b);
     const big_float &large = a_larger ? a : b, &lesser_one = a_larger ? b : a;
-    const int first = lesser(a.place_, b.place_), last = greater(a.end(), b.end());
+    const int first = minimum(a.place_, b.place_), last = maximum(a.end(), b.end());
     sum.place_ = first;
     sum.negative_ = large.negative_;
     std::uint64_t carry = 0;
@@ -144,7 +144,7 @@ private:
   // In magnitude.
   [[nodiscard]] IRG_APART static constexpr bool is_smaller(const big_float& a, const big_float& b) noexcept {
     if (a.end() != b.end()) return a.end() < b.end();
-    const int last = lesser(a.place_, b.place_);
+    const int last = minimum(a.place_, b.place_);
     for (int place = a.end() - 1; place >= last; --place)
       if (a.at(place) != b.at(place)) return a.at(place) < b.at(place);
     return false;
@@ -154,9 +154,6 @@ private:
   int place_ = 0, size_ = 0;
   bool negative_ = false;
 };
-
-template <int Degree>
-using exact_number = big_float<Degree>;
 
 inline namespace IRG_ABI {
 

@@ -18,7 +18,7 @@ namespace irg {
 struct filtered_number {
   double value = 0, size = 0;
 
-  constexpr bool operator==(const filtered_number&) const = default;
+  bool operator==(const filtered_number&) const = default;
   IRG_INLINE friend constexpr filtered_number operator-(const filtered_number& a) noexcept {
     return {-a.value, a.size};
   }
@@ -37,7 +37,7 @@ struct filtered_number {
 struct filtered_input {
   double value = 0;
 
-  constexpr bool operator==(const filtered_input&) const = default;
+  bool operator==(const filtered_input&) const = default;
   IRG_INLINE constexpr operator filtered_number() const noexcept { return {value, magnitude(value)}; }
   IRG_INLINE friend constexpr filtered_input operator-(const filtered_input& a) noexcept { return {-a.value}; }
   IRG_INLINE friend constexpr filtered_number operator+(const filtered_input& a, const filtered_input& b) noexcept {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The float or double nearest to a value that can only be compared, exactly, with sums of two numbers.
+// Floating-point numbers in order: the number of each, which of two is less, and the one nearest to a value that can
+// only be compared, exactly, with sums of two numbers.
 #pragma once
 
 #include <bit>
@@ -23,6 +24,19 @@ template <Floating T>
   using J = float_ordinal<T>;
   const auto bits = std::bit_cast<J>(x);
   return bits < 0 ? (std::numeric_limits<J>::min)() - bits : bits;
+}
+
+/// -1, 0 or 1, as a is less than b, equal or greater; floats by their bits, since a processor that takes subnormal
+/// numbers for zero would find some of them equal.
+/// needs   no NaN
+/// exact   -0 and 0 are equal
+template <class T>
+[[nodiscard]] IRG_INLINE constexpr int compare_numbers(const T& a, const T& b) noexcept {
+  if constexpr (Floating<T>) {
+    return compare_numbers(ordinal_of(a), ordinal_of(b));
+  } else {
+    return a < b ? -1 : b < a ? 1 : 0;
+  }
 }
 
 /// The floating-point number with this number.

@@ -49,7 +49,7 @@ constexpr bool divides_surely(const bounded_double_double& a, const bounded_doub
   const double correction = product(b.value < 0 ? -rest : rest, inverse), size = magnitude(q);
   const double off = product((a.bound + product(size, b.bound)) * 2, inverse) + size * 0x1p-98;
   // What is rounded to a float must not be rounded to a double first where that could matter.
-  const double error = std::is_same_v<T, float> ? greater(off, size * 0x1p-50) : off;
+  const double error = std::is_same_v<T, float> ? maximum(off, size * 0x1p-50) : off;
   nearest = converted<T>(q + (correction - error));
   return nearest == converted<T>(q + (correction + error)) && magnitude(nearest) <= (std::numeric_limits<T>::max)();
 }

@@ -26,10 +26,8 @@ struct scaled_double_double {
   IRG_INLINE constexpr scaled_double_double(double h, double l, int e) noexcept : high(h), low(l), exponent(e) {}
   IRG_INLINE constexpr scaled_double_double(const exact_sum<double>& x, int e) noexcept
       : high(x.value), low(x.error), exponent(e) {}
-  constexpr bool operator==(const scaled_double_double&) const = default;
+  bool operator==(const scaled_double_double&) const = default;
 };
-
-using known_number = scaled_double_double;
 
 namespace detail::inline IRG_ABI {
 
@@ -159,14 +157,14 @@ template <Floating T, std::size_t Leading, std::size_t Size>
   for (std::size_t i = 0; i < Size; ++i) {
     v[i] = detail::normalized_number(v[i]);
     if (v[i].high == 0) continue;
-    largest = greater(largest, v[i].exponent);
-    if (i < Leading) leading = greater(leading, v[i].exponent);
+    largest = maximum(largest, v[i].exponent);
+    if (i < Leading) leading = maximum(leading, v[i].exponent);
   }
   int shift = 0;
   if (largest > highest)
     shift = highest - largest;
   else if (leading < lowest)
-    shift = lesser(-leading, highest - largest);
+    shift = minimum(-leading, highest - largest);
   std::array<T, Size> out{};
   for (std::size_t i = 0; i < Size; ++i) {
     v[i].exponent += shift;

@@ -64,7 +64,7 @@ struct bounded_double_double : unrounded {
   IRG_INLINE constexpr explicit bounded_double_double(double x) noexcept : unrounded{x, 0} {}
   IRG_INLINE constexpr bounded_double_double(const unrounded& x, double b) noexcept : unrounded(x), bound(b) {}
 
-  constexpr bool operator==(const bounded_double_double&) const = default;
+  bool operator==(const bounded_double_double&) const = default;
   IRG_INLINE friend constexpr bounded_double_double operator-(const bounded_double_double& a) noexcept {
     return {negated(a), a.bound};
   }

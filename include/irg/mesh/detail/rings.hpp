@@ -49,7 +49,7 @@ constexpr vec<double, 2> circle_point(int k, int n) noexcept {
 template <class T>
 constexpr void add_smooth_triangle(mesh<T>& m, std::size_t a, std::size_t b, std::size_t c, std::size_t to_normal) {
   for (const std::size_t v : {a, b, c})
-    m.corners.push_back({static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(v + to_normal), mesh_corner::none});
+    m.corners.push_back({static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(v + to_normal), no_index});
   m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
 

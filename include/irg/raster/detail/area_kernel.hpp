@@ -2,7 +2,7 @@
 // The area of a convex polygon within each pixel of a row.
 //
 // A side of the polygon is a chain of edges that runs down. What it leaves uncovered in column x of a row is, for each
-// edge, the integral of clamp(E(y) - x, 0, 1) over the part of the row the edge crosses; the coverage is the height of
+// edge, the integral of E(y) - x, clamped to [0, 1], over the part of the row it crosses; the coverage is the height of
 // the polygon in the row less what both sides leave uncovered. The right side is walked in a mirror, its column x being
 // -1 - x, so that both sides are one piece of code and a mirrored polygon gives the mirrored bits.
 //
@@ -71,10 +71,10 @@ IRG_INLINE constexpr F uncovered_near(const F& column, const F& rest, const F& w
                                       const typename lanes<F>::mask* reached = nullptr) {
   const F zero = lanes<F>::broadcast(0), one = lanes<F>::broadcast(1);
   const F left = rest - column, right = left + width;
-  const F t0 = low_of(high_of(right, zero), width), t1 = low_of(high_of(right - one, zero), width);
+  const F t0 = minimum(maximum(right, zero), width), t1 = minimum(maximum(right - one, zero), width);
   const F reach = product(product(t0 - t1, t0 + t1), scale);
   return (reached == nullptr ? reach : select(*reached, reach, zero)) +
-         product(low_of(high_of(left, zero), one), height);
+         product(minimum(maximum(left, zero), one), height);
 }
 template <class F>
 IRG_INLINE constexpr F uncovered_by(const F& column, const F& span, const F& rest, const F& width, const F& scale,
@@ -118,8 +118,8 @@ struct edge_pieces_row {
     is_wide = is_wide || reach > area_float_reach;
     p.height = static_cast<float>(height) * 0x1p-8f;
     p.scale = scale;
-    first = count == 0 ? from : lesser(first, from);
-    end = count == 0 ? to : greater(end, to);
+    first = count == 0 ? from : minimum(first, from);
+    end = count == 0 ? to : maximum(end, to);
     ++count;
   }
 
@@ -219,7 +219,7 @@ struct area_side : area_edge {
     out.clear();
     while (y < y_last) {
       if (b.y <= y) lead_on(y);
-      const std::int32_t stop = lesser(b.y, y_last);
+      const std::int32_t stop = minimum(b.y, y_last);
       out.add(y == upper ? enters(row) : area_position(a.x), stop == lower ? enters(row + 1) : area_position(b.x),
               stop - y, scale);
       y = stop;
@@ -250,13 +250,13 @@ struct whole_edge_rows {
 
 // Coverages of 0 to 255 from areas of 0 to 1.
 IRG_INLINE constexpr std::int32_t coverage_of_area(float area) noexcept {
-  return static_cast<std::int32_t>(product(255.0f, high_of(area, 0.0f)) + area_rounding);
+  return static_cast<std::int32_t>(product(255.0f, maximum(area, 0.0f)) + area_rounding);
 }
 template <int N>
 IRG_INLINE pack<std::int32_t, N> coverage_of_area(const pack<float, N>& area) noexcept {
   using F = pack<float, N>;
   const F zero = lanes<F>::broadcast(0);
-  const F scaled = lanes<F>::broadcast(255) * high_of(area, zero) + lanes<F>::broadcast(area_rounding);
+  const F scaled = lanes<F>::broadcast(255) * maximum(area, zero) + lanes<F>::broadcast(area_rounding);
   return converted<std::int32_t>(scaled);
 }
 
@@ -266,12 +266,12 @@ template <class F, class Target, class Left, class Right>
 IRG_INLINE constexpr void area_row(Target& target, const Left& left, const Right& right, float height,
                                    const cell_window& w) {
   constexpr int count = lanes<F>::count;
-  const int x_first = greater(left.first, w.x_first), x_last = lesser(-right.first, w.x_last);
+  const int x_first = maximum(left.first, w.x_first), x_last = minimum(-right.first, w.x_last);
   if (x_first >= x_last) return;
   const F up = lanes<F>::ramp(), down = lanes<F>::broadcast(0) - up, full = lanes<F>::broadcast(height);
   if (height == 1 && x_last - x_first >= 2 * count) {
-    const int left_partial = (clamp(left.end, x_first, x_last) - x_first + (count - 1)) & -count;
-    const int right_partial = (x_last - clamp(-right.end, x_first, x_last) + (count - 1)) & -count;
+    const int left_partial = (clamped(left.end, x_first, x_last) - x_first + (count - 1)) & -count;
+    const int right_partial = (x_last - clamped(-right.end, x_first, x_last) + (count - 1)) & -count;
     const int solid = x_last - x_first - left_partial - right_partial;
     if (solid >= count) {
       int x = x_first;
@@ -283,7 +283,7 @@ IRG_INLINE constexpr void area_row(Target& target, const Left& left, const Right
     }
   }
   for (int x = x_first; x < x_last; x += count)
-    target.mix_some(x, lesser(count, x_last - x),
+    target.mix_some(x, minimum(count, x_last - x),
                     coverage_of_area(full - (left.uncovered(x, up) + right.uncovered(-1 - x, down))));
 }
 

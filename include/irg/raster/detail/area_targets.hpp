@@ -74,7 +74,7 @@ struct area_span_target {
   constexpr void columns(int row, int first, int last, [[maybe_unused]] int limit, const Coverages& of) {
     constexpr int lane_count = lanes<F>::count;
     for (int at = first; at < last; at += most) {
-      const int n = lesser(most, last - at);
+      const int n = minimum(most, last - at);
       for (int i = 0; i < n; i += lane_count) {
         const auto c = converted<std::int32_t>(of(at + i));
         for (int k = 0; k < lane_count; ++k) coverage[i + k] = static_cast<std::uint8_t>(lane(c, k));

@@ -24,7 +24,7 @@ struct conic_arc {
   constexpr step_range steps(bool down, int sign, const cell_window& w) const noexcept {
     step_range r =
         down ? steps_within(centre.y, sign, w.y_first, w.y_last) : steps_within(centre.x, sign, w.x_first, w.x_last);
-    if (sign < 0) r.first = greater(r.first, std::int64_t{1});
+    if (sign < 0) r.first = maximum(r.first, std::int64_t{1});
     return r;
   }
 };
@@ -43,10 +43,10 @@ constexpr void for_mirrored_arcs(const cell& centre, bool upright, Body&& body) 
 template <class Shape, CellSink Sink>
 constexpr void emit_arc(const conic_arc& arc, const Shape& shape, std::int64_t end, const cell_window& w, Sink& sink) {
   const step_range along = arc.along(w), aside = arc.aside(w);
-  std::int64_t first = along.first, last = lesser(along.last, end);
+  std::int64_t first = along.first, last = minimum(along.last, end);
   if (first >= last || aside.first >= aside.last) return;
-  last = lesser(last, shape.reach(aside.first));
-  first = greater(first, shape.reach(aside.last));
+  last = minimum(last, shape.reach(aside.first));
+  first = maximum(first, shape.reach(aside.last));
   if (first >= last) return;
   const auto step = shape.step(), drop = shape.drop();
   std::int64_t m = shape.height(first);
@@ -67,12 +67,12 @@ template <class HalfWidth, SpanSink Sink>
 constexpr void symmetric_spans(const cell& centre, std::int64_t radius_y, const cell_window& w, Sink&& sink,
                                HalfWidth&& half_width) {
   if (w.empty()) return;
-  const std::int64_t first = greater(centre.y - radius_y, std::int64_t{w.y_first});
-  const std::int64_t last = lesser(centre.y + radius_y + 1, std::int64_t{w.y_last});
+  const std::int64_t first = maximum(centre.y - radius_y, std::int64_t{w.y_first});
+  const std::int64_t last = minimum(centre.y + radius_y + 1, std::int64_t{w.y_last});
   for (std::int64_t y = first; y < last; ++y) {
     const std::int64_t half = half_width(y - centre.y);
-    const std::int64_t x_first = greater(centre.x - half, std::int64_t{w.x_first});
-    const std::int64_t x_last = lesser(centre.x + half + 1, std::int64_t{w.x_last});
+    const std::int64_t x_first = maximum(centre.x - half, std::int64_t{w.x_first});
+    const std::int64_t x_last = minimum(centre.x + half + 1, std::int64_t{w.x_last});
     if (x_first < x_last) sink(span_of_cells{static_cast<int>(y), static_cast<int>(x_first), static_cast<int>(x_last)});
   }
 }

@@ -30,8 +30,8 @@ struct fixed_edge {
   IRG_INLINE constexpr fixed_edge() noexcept = default;
   IRG_INLINE constexpr fixed_edge(const subpixel& upper, const subpixel& lower, std::int64_t row) noexcept {
     const std::int64_t dx = std::int64_t{lower.x} - upper.x,
-                       dy = greater(std::int64_t{lower.y} - upper.y, std::int64_t{1});
-    const std::int64_t below = lesser(greater(row * one_pixel + half_pixel - upper.y, std::int64_t{0}), dy);
+                       dy = maximum(std::int64_t{lower.y} - upper.y, std::int64_t{1});
+    const std::int64_t below = minimum(maximum(row * one_pixel + half_pixel - upper.y, std::int64_t{0}), dy);
     const std::int64_t n = ((std::int64_t{upper.x} - half_pixel) * dy + below * dx - 1) >> subpixel_bits;
     const double unit = static_cast<double>(std::int64_t{1} << fixed_edge_bits) / static_cast<double>(dy);
     position = static_cast<std::int64_t>(static_cast<double>(n + dy) * unit) + 2;
@@ -76,7 +76,7 @@ IRG_INLINE constexpr void lead_on(ring_side<Edge>& side, std::size_t n, const Ve
   } while (reaches <= y);
   side.edge = Edge(from, to, y);
   side.at = to;
-  side.row_last = static_cast<int>(lesser(reaches, std::int64_t{y_last}));
+  side.row_last = static_cast<int>(minimum(reaches, std::int64_t{y_last}));
 }
 
 // Calls sink(y, x_first, x_last) for each row of w that has columns between the two sides of the ring.
@@ -90,11 +90,11 @@ IRG_INLINE constexpr void walk_sides(std::size_t n, std::size_t topmost, const V
   do {
     if (one.row_last == y) lead_on<true>(one, n, vertex, y, w.y_last);
     if (other.row_last == y) lead_on<false>(other, n, vertex, y, w.y_last);
-    const int stop = lesser(one.row_last, other.row_last);
+    const int stop = minimum(one.row_last, other.row_last);
     do {
       const std::int64_t a = one.edge.column(), b = other.edge.column();
-      const std::int64_t first = greater(lesser(a, b), std::int64_t{w.x_first});
-      const std::int64_t last = lesser(greater(a, b), std::int64_t{w.x_last});
+      const std::int64_t first = maximum(minimum(a, b), std::int64_t{w.x_first});
+      const std::int64_t last = minimum(maximum(a, b), std::int64_t{w.x_last});
       if (first < last) sink(y, static_cast<int>(first), static_cast<int>(last));
       one.edge.next();
       other.edge.next();
@@ -109,7 +109,7 @@ template <bool Forward, class Vertices>
 IRG_INLINE constexpr void columns_of_side(std::size_t n, std::size_t i, std::size_t lowest, const Vertices& vertex,
                                           int top, int rows, std::int32_t* column) {
   const auto row_of = [&](const subpixel& v) {
-    return static_cast<int>(lesser(greater(row_from(v.y) - top, std::int64_t{0}), std::int64_t{rows}));
+    return static_cast<int>(minimum(maximum(row_from(v.y) - top, std::int64_t{0}), std::int64_t{rows}));
   };
   subpixel from = vertex(i);
   int row = row_of(from);
@@ -142,8 +142,8 @@ IRG_INLINE constexpr void walk_low_ring(std::size_t n, const ring_extent<std::in
   columns_of_side<true>(n, extent.topmost, extent.lowest, vertex, w.y_first, rows, one);
   columns_of_side<false>(n, extent.topmost, extent.lowest, vertex, w.y_first, rows, other);
   for (int row = 0; row < rows; ++row) {
-    const int first = greater(lesser(one[row], other[row]), w.x_first),
-              last = lesser(greater(one[row], other[row]), w.x_last);
+    const int first = maximum(minimum(one[row], other[row]), w.x_first),
+              last = minimum(maximum(one[row], other[row]), w.x_last);
     if (first < last) sink(w.y_first + row, first, last);
   }
 }
@@ -161,17 +161,17 @@ IRG_INLINE constexpr void walk_triangle(const subpixel (&corner)[3], const cell_
                     static_cast<std::int32_t>(k >> 32)};
   };
   const std::int64_t a = key(corner[0]), b = key(corner[1]), c = key(corner[2]);
-  const std::int64_t less = lesser(a, b), more = greater(a, b);
-  const subpixel top = position(lesser(less, c)), middle = position(greater(less, lesser(more, c))),
-                 bottom = position(greater(more, c));
-  const int turn = static_cast<int>(clamp(row_from(middle.y), std::int64_t{w.y_first}, std::int64_t{w.y_last}));
+  const std::int64_t less = minimum(a, b), more = maximum(a, b);
+  const subpixel top = position(minimum(less, c)), middle = position(maximum(less, minimum(more, c))),
+                 bottom = position(maximum(more, c));
+  const int turn = static_cast<int>(clamped(row_from(middle.y), std::int64_t{w.y_first}, std::int64_t{w.y_last}));
   fixed_edge whole(top, bottom, w.y_first), part(top, middle, w.y_first);
   const fixed_edge lower(middle, bottom, turn);
   int y = w.y_first;
   do {
     part = y == turn ? lower : part;
     const int one = static_cast<int>(whole.column()), other = static_cast<int>(part.column());
-    const int first = greater(lesser(one, other), w.x_first), last = lesser(greater(one, other), w.x_last);
+    const int first = maximum(minimum(one, other), w.x_first), last = minimum(maximum(one, other), w.x_last);
     if (first < last) sink(y, first, last);
     whole.next();
     part.next();
@@ -182,7 +182,7 @@ IRG_INLINE constexpr void walk_triangle(const subpixel (&corner)[3], const cell_
 template <class J>
 IRG_INLINE constexpr cell_window window_of_extent(const ring_extent<J>& e, const cell_window& w) noexcept {
   const auto within = [](std::int64_t v, int low, int high) {
-    return static_cast<int>(clamp(v, std::int64_t{low}, std::int64_t{high}));
+    return static_cast<int>(clamped(v, std::int64_t{low}, std::int64_t{high}));
   };
   if (w.empty()) return {};
   return {within(row_from(e.left), w.x_first, w.x_last), within(row_from(e.top), w.y_first, w.y_last),

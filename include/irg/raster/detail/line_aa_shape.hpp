@@ -24,7 +24,7 @@ namespace irg::detail::inline IRG_ABI {
 // An edge that crosses a row from x = low to x = low + s (s >= 0) has, in a pixel whose right side is t to the right of
 // low, the area G(t) on its right: the mean over the edge of how much of the pixel lies beyond it,
 //     G(t) = ((v1^2 - v2^2) / (2 lo) + c - lo) / hi        lo = min(s, 1), hi = max(s, 1)
-//     v1 = clamp(t, 0, lo),  c = clamp(t, lo, lo + hi),  v2 = max(c - hi, 0)
+//     v1 = clamped(t, 0, lo),  c = clamped(t, lo, lo + hi),  v2 = max(c - hi, 0)
 // times the height of the edge's part in the row. The rectangle's area in the pixel is the sum over the edges on its
 // left less the sum over those on its right (Green's theorem, one pixel at a time). Nothing is accumulated along a row
 // or from row to row, so a pixel's value depends neither on the window nor on the number of lanes.
@@ -38,7 +38,7 @@ struct aa_moments {
 template <class F>
 IRG_INLINE constexpr aa_moments<F> aa_edge(F t, F lo, F hi, F lo_and_hi) noexcept {
   const F zero = lanes<F>::broadcast(0.0f);
-  const F v1 = low_of(high_of(t, zero), lo), c = low_of(high_of(t, lo), lo_and_hi), v2 = high_of(c - hi, zero);
+  const F v1 = minimum(maximum(t, zero), lo), c = minimum(maximum(t, lo), lo_and_hi), v2 = maximum(c - hi, zero);
   return {product(v1, v1) - product(v2, v2), c};
 }
 
@@ -53,11 +53,11 @@ struct aa_band_row {
   float across;
 
   IRG_INLINE constexpr aa_band_row(float slant, float distance) noexcept : across(distance) {
-    const float s = high_of(slant, aa_least_slant), one = 1.0f, inverse = one / s, l = low_of(s, one),
-                h = high_of(s, one);
+    const float s = maximum(slant, aa_least_slant), one = 1.0f, inverse = one / s, l = minimum(s, one),
+                h = maximum(s, one);
     lo = lanes<F>::broadcast(l), hi = lanes<F>::broadcast(h), lo_and_hi = lanes<F>::broadcast(s + one);
     square = lanes<F>::broadcast(aa_full * 0.5f * inverse);
-    linear = lanes<F>::broadcast(aa_full * low_of(inverse, one));
+    linear = lanes<F>::broadcast(aa_full * minimum(inverse, one));
   }
   IRG_INLINE constexpr void enter(std::int32_t fraction_in_24_bits) noexcept {
     const float l = 1.0f - static_cast<float>(fraction_in_24_bits) * 0x1p-24f;  // exact
@@ -73,7 +73,7 @@ struct aa_band_row {
 // The same for lines about one pixel wide, at a third of the cost. With m <= 1 the change of the centre line per pixel
 // of the longer axis and w the width along the shorter one, the area is an even function of u, the distance of the
 // pixel's centre from the centre line along the shorter axis: where |w - 1| <= m,
-//     (v^2 - z2^2 - z3^2) / 2m + max(b1 - u, 0)      v = clamp(b0 - u, 0, m),  z = max(b - u, 0)
+//     (v^2 - z2^2 - z3^2) / 2m + max(b1 - u, 0)      v = clamped(b0 - u, 0, m),  z = max(b - u, 0)
 //     b0 = (1 + m + w) / 2,  b1 = b0 - m,  b2 = b0 - 1,  b3 = b0 - w
 // All lengths are in 1/255 pixel, so that no factor is left over for the area.
 template <class F>
@@ -97,10 +97,10 @@ struct aa_thin_row {
   }
   IRG_INLINE constexpr F before_shift(F k) const noexcept { return product(k, step) + centre; }
   IRG_INLINE constexpr F shifted(F x) const noexcept {
-    const F zero = lanes<F>::broadcast(0.0f), u = magnitude(x - shift), v = high_of(low_of(b0 - u, m), zero),
-            z2 = high_of(b2 - u, zero), z3 = high_of(b3 - u, zero);
+    const F zero = lanes<F>::broadcast(0.0f), u = magnitude(x - shift), v = maximum(minimum(b0 - u, m), zero),
+            z2 = maximum(b2 - u, zero), z3 = maximum(b3 - u, zero);
     return product((product(v, v) - product(z2, z2)) - product(z3, z3), inverse) +
-           high_of(b1 - u, lanes<F>::broadcast(aa_half));
+           maximum(b1 - u, lanes<F>::broadcast(aa_half));
   }
   IRG_INLINE constexpr F operator()(F k) const noexcept { return shifted(before_shift(k)); }
 };
@@ -128,10 +128,10 @@ struct aa_cap_row {
   // Edges e and following, the first two on the left: how far they reach, how high they are, t and columns of pixel 0.
   IRG_INLINE constexpr void enter(unsigned e, const F& slant, const F& rows, const F& from, const F& whole) noexcept {
     constexpr float sides[4] = {aa_full, aa_full, -aa_full, -aa_full};
-    const F one = lanes<F>::broadcast(1.0f), s = high_of(slant, lanes<F>::broadcast(aa_least_slant)), inverse = one / s,
+    const F one = lanes<F>::broadcast(1.0f), s = maximum(slant, lanes<F>::broadcast(aa_least_slant)), inverse = one / s,
             weight = product(rows, lanes<F>::load(sides + e));
-    lo[e] = low_of(s, one), hi[e] = high_of(s, one), both[e] = s + one;
-    linear[e] = product(weight, low_of(inverse, one));
+    lo[e] = minimum(s, one), hi[e] = maximum(s, one), both[e] = s + one;
+    linear[e] = product(weight, minimum(inverse, one));
     square[e] = product(product(weight, lanes<F>::broadcast(0.5f)), inverse);
     t[e] = from;
     if constexpr (Far) columns[e] = whole;
@@ -142,7 +142,7 @@ struct aa_cap_row {
     return product(m.square, square[e]) + product(m.linear - lo[e], linear[e]);
   }
   IRG_INLINE constexpr F operator()(F k) const noexcept {
-    k = low_of(k, lanes<F>::broadcast(fold) - k);
+    k = minimum(k, lanes<F>::broadcast(fold) - k);
     if constexpr (parts == 4) {
       return aa_sum(part(0, k), part(1, k), part(2, k), part(3, k)) + aa_half;
     } else {
@@ -264,7 +264,7 @@ constexpr aa_shape aa_shape_of(const aa_frame& f, std::int32_t dx, std::int32_t 
     s.whole_to = static_cast<std::int64_t>(s.across * 0x1p40);
   }
   const double slope = dx <= dy ? s.slant : -back;
-  s.slope = greater(slope, static_cast<double>(aa_least_slant));
+  s.slope = maximum(slope, static_cast<double>(aa_least_slant));
   s.width = dx <= dy ? s.across : 2.0 * (ux + product(uy, slope));
   s.thin = s.width <= 1.0 + s.slope && s.width >= 1.0 - s.slope;
   s.first = static_cast<int>(top), s.last = static_cast<int>(bottom) + 1;  // all coordinates are positive
@@ -302,7 +302,7 @@ inline constexpr float aa_nowhere = 0x1p30f;  // to the right of everything
 // that the row does not have being nowhere and 0.
 template <class T>
 IRG_INLINE constexpr area_range aa_columns_between(const T* low, const T* high) noexcept {
-  const T least = lesser(low[0], low[1]), greatest = greater(high[2], high[3]);
+  const T least = minimum(low[0], low[1]), greatest = maximum(high[2], high[3]);
   if (!(least < greatest)) return {};
   return {static_cast<int>(least), static_cast<int>(greatest) + 1};
 }
@@ -319,10 +319,10 @@ IRG_INLINE constexpr area_range aa_enter(aa_cap_row<F, std::is_same_v<E, double>
   number low[4] = {}, high[4] = {}, start[4] = {};
   float slant[4] = {}, height[4] = {}, t[4] = {}, columns_before[4] = {};
   for (unsigned i = 0, e = 0; i < parts; ++i, e += count) {
-    const E from = high_of(edges.y[i], top), to = low_of(edges.y_end[i], below), rows = high_of(to - from, zero);
+    const E from = maximum(edges.y[i], top), to = minimum(edges.y_end[i], below), rows = maximum(to - from, zero);
     const E a = edges.x[i] + product(from - edges.y[i], edges.x_per_row[i]),
             b = edges.x[i] + product(to - edges.y[i], edges.x_per_row[i]);
-    const E left = low_of(a, b), right = high_of(a, b);
+    const E left = minimum(a, b), right = maximum(a, b);
     const auto is_there = zero < rows;
     lanes<E>::store(low + e, select(is_there, left, nowhere));
     lanes<E>::store(high + e, select(is_there, right, zero));

@@ -133,7 +133,7 @@ struct aa_slender {
     // The cap ends and the lower long edge begins at `low`, the cap and the upper long edge begin at `high`.
     const F end = u + all(before), top = to_float(converted<std::int32_t>(end)) + lanes<F>::load(earlier + e),
             low = end - top, high = low - all(cap);
-    const F low_from = low_of(low, one), high_from = high_of(low_of(high, one), zero);
+    const F low_from = minimum(low, one), high_from = maximum(minimum(high, one), zero);
     const F low_part = one - low_from, high_part = one - high_from, cap_part = low_from - high_from;
     const F edge = (v - all(0.5f * across)) + product(m, top - u);  // the lower edge, seen from the step's top
     const F column = to_float(converted<std::int32_t>(edge)), x = edge - column;
@@ -145,12 +145,12 @@ struct aa_slender {
             cap_full = product(cap_part, all(aa_full));
     const auto below = [&](float boundary) {
       const F j = all(boundary), dl = j - low_x, dh = j - high_x, dc = j - cap_x;
-      const F l = low_of(high_of(dl, zero), low_rise), h = low_of(high_of(dh, zero), high_rise), c0 = high_of(dc, zero),
-              c1 = high_of(dc - cap_rise, zero);
+      const F l = minimum(maximum(dl, zero), low_rise), h = minimum(maximum(dh, zero), high_rise),
+              c0 = maximum(dc, zero), c1 = maximum(dc - cap_rise, zero);
       const F squares =
           product(product(l, l) - product(h, h), half_inverse) + product(product(c0, c0) - product(c1, c1), half_slope);
       return squares +
-             (product(low_full, high_of(dl - low_rise, zero)) - product(high_full, high_of(dh - high_rise, zero)));
+             (product(low_full, maximum(dl - low_rise, zero)) - product(high_full, maximum(dh - high_rise, zero)));
     };
     const F half = all(0.5f), four = all(4.0f);
     const F c1 = below(1.0f), c2 = below(2.0f), c3 = below(3.0f);
@@ -183,9 +183,9 @@ struct aa_slender_steps {
   // 1/2 + 255 * the area of pixels whose centres are aside + column from the line's middle, in steps `along` from it.
   IRG_INLINE constexpr F operator()(const F& aside, const F& column, const F& along) const noexcept {
     const F zero = lanes<F>::broadcast(0.0f), u = magnitude((aside + column) - product(change, along)),
-            v = high_of(low_of(b0 - u, m), zero), z2 = high_of(b2 - u, zero), z3 = high_of(b3 - u, zero);
+            v = maximum(minimum(b0 - u, m), zero), z2 = maximum(b2 - u, zero), z3 = maximum(b3 - u, zero);
     return (product((product(v, v) - product(z2, z2)) - product(z3, z3), inverse) +
-            product(high_of(b1 - u, zero), lanes<F>::broadcast(aa_full))) +
+            product(maximum(b1 - u, zero), lanes<F>::broadcast(aa_full))) +
            lanes<F>::broadcast(aa_half);
   }
 };
@@ -229,7 +229,7 @@ IRG_INLINE constexpr std::array<std::uint8_t, 8> aa_in_memory(std::uint32_t word
 template <class Target>
 IRG_INLINE constexpr void aa_send_bytes(const cell_window& w, Target& target, int y, int first, int last,
                                         const std::uint8_t* coverage) {
-  const int from = greater(first, w.x_first), to = lesser(last, w.x_last);
+  const int from = maximum(first, w.x_first), to = minimum(last, w.x_last);
   if (y >= w.y_first && y < w.y_last && from < to) target.run(y, from, to, coverage + (from - first));
 }
 
@@ -241,7 +241,7 @@ constexpr void aa_send_steep(const aa_slender<F>& s, const cell_window& w, Targe
     aa_send_bytes(w, target, e.along, e.aside, e.aside + 4, aa_in_memory(e.coverage).data());
   };
   for (unsigned k = 0; k < 4; ++k) send(aa_end_step(s, k));
-  const int first = greater(w.y_first, s.first), last = lesser(w.y_last, s.first + s.steps);
+  const int first = maximum(w.y_first, s.first), last = minimum(w.y_last, s.first + s.steps);
   for (int y = first; y < last; ++y) send(aa_step_between(s, between, y - s.first));
 }
 
@@ -257,8 +257,8 @@ constexpr void aa_send_flat(const aa_slender<F>& s, const cell_window& w, Target
   const int x = s.first - 2;
   int y = s.ends.aside[0], y_last = y;
   for (const int a : s.ends.aside) {
-    y = lesser(y, a);
-    y_last = greater(y_last, a + 4);
+    y = minimum(y, a);
+    y_last = maximum(y_last, a + 4);
   }
   row rows[most];
   const auto gather = [&](const aa_step& e) {
@@ -266,7 +266,7 @@ constexpr void aa_send_flat(const aa_slender<F>& s, const cell_window& w, Target
     for (int k = 0; k < 4; ++k) {
       row& r = rows[e.aside - y + k];
       r.coverage[column] = static_cast<std::uint8_t>(e.coverage >> (8 * k) & 255u);
-      r.first = lesser(r.first, column), r.last = greater(r.last, column + 1);
+      r.first = minimum(r.first, column), r.last = maximum(r.last, column + 1);
     }
   };
   for (unsigned k = 0; k < 4; ++k) gather(aa_end_step(s, k));
@@ -371,8 +371,8 @@ IRG_INLINE void aa_mix_slender(const area_mix_target<R>& target, const aa_slende
 template <class F, class Target>
 IRG_INLINE constexpr bool aa_draw_slender(const subpixel& a, const subpixel& b, const line_aa_options& options,
                                           const cell_window& w, Target& target) {
-  const std::int32_t left = lesser(a.x, b.x), right = greater(a.x, b.x), top = lesser(a.y, b.y),
-                     bottom = greater(a.y, b.y);
+  const std::int32_t left = minimum(a.x, b.x), right = maximum(a.x, b.x), top = minimum(a.y, b.y),
+                     bottom = maximum(a.y, b.y);
   // Pixels beyond the ends that may be written. The sides are counted, so that there is one branch for all of them.
   const int beyond = 5 + (options.width >> subpixel_bits);
   const int x_first = (left >> subpixel_bits) - beyond, x_last = (right >> subpixel_bits) + beyond,

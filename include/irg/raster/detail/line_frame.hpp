@@ -68,8 +68,8 @@ constexpr step_range turned(std::int64_t first, std::int64_t last, bool mirrored
 
 // The steps t >= 0 for which start + sign * t lies in [low, high).
 constexpr step_range steps_within(std::int64_t start, int sign, std::int64_t low, std::int64_t high) noexcept {
-  return sign > 0 ? step_range{greater(low - start, std::int64_t{0}), high - start}
-                  : step_range{greater(start - high + 1, std::int64_t{0}), start - low + 1};
+  return sign > 0 ? step_range{maximum(low - start, std::int64_t{0}), high - start}
+                  : step_range{maximum(start - high + 1, std::int64_t{0}), start - low + 1};
 }
 
 // The first step whose aside is >= k, for k >= 1 and m >= 1: i*m/n > k - 1/2, or equal to it where ties go there.
@@ -86,10 +86,10 @@ constexpr step_range visible_steps(const bresenham_frame& f, const cell_window& 
   const step_range x = steps_within(f.start.x, f.steep ? f.sign_aside : f.sign_along, w.x_first, w.x_last);
   const step_range y = steps_within(f.start.y, f.steep ? f.sign_along : f.sign_aside, w.y_first, w.y_last);
   const step_range along = f.steep ? y : x, aside = f.steep ? x : y;
-  step_range steps{along.first, lesser(along.last, steps_drawn(f, ends))};
+  step_range steps{along.first, minimum(along.last, steps_drawn(f, ends))};
   if (aside.first > f.m || aside.last <= 0) return {0, 0};
-  if (aside.first > 0) steps.first = greater(steps.first, first_step_aside<J>(f, aside.first));
-  if (aside.last <= f.m) steps.last = lesser(steps.last, first_step_aside<J>(f, aside.last));
+  if (aside.first > 0) steps.first = maximum(steps.first, first_step_aside<J>(f, aside.first));
+  if (aside.last <= f.m) steps.last = minimum(steps.last, first_step_aside<J>(f, aside.last));
   return steps;
 }
 

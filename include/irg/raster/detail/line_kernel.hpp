@@ -124,7 +124,7 @@ template <class P, class Fraction, class Plot>
 IRG_NOINLINE void walk_line_ahead(const byte_rows<P> rows, const line_walk<Fraction> walk, const Plot plot) {
   byte_walk<Fraction> bytes = bytes_of(rows, walk);
   for (int cells = walk.cells; cells > 0; cells -= cells_fetched_ahead) {
-    const int block = lesser(cells, cells_fetched_ahead);
+    const int block = minimum(cells, cells_fetched_ahead);
     byte_walk<Fraction> scout = bytes;
     for (int i = 0; i < block; ++i) prefetch_to_write(rows.first + scout.next());
     walk_bytes(rows, bytes, block, plot);
@@ -216,7 +216,7 @@ IRG_NOINLINE void walk_clipped_line(R& raster, cell a, cell b, const cell_window
 template <EvenRowRaster R, class Plot>
 IRG_INLINE void walk_line_in(R& raster, cell a, cell b, const cell_window& window, const line_options& options,
                              Plot plot) {
-  const int left = lesser(a.x, b.x), right = greater(a.x, b.x), top = lesser(a.y, b.y), bottom = greater(a.y, b.y);
+  const int left = minimum(a.x, b.x), right = maximum(a.x, b.x), top = minimum(a.y, b.y), bottom = maximum(a.y, b.y);
   // Counted, not joined by "and", so that there is one branch: of one for each side, those that a line far away takes
   // could not be foretold.
   const int held = int{left >= window.x_first} + int{right < window.x_last} + int{top >= window.y_first} +
@@ -228,8 +228,8 @@ IRG_INLINE void walk_line_in(R& raster, cell a, cell b, const cell_window& windo
     return;
   }
   const int width = right - left, height = bottom - top;  // no overflow: both are less than the window's
-  const auto n = static_cast<std::uint32_t>(greater(width, height)),
-             m = static_cast<std::uint32_t>(lesser(width, height));
+  const auto n = static_cast<std::uint32_t>(maximum(width, height)),
+             m = static_cast<std::uint32_t>(minimum(width, height));
   if (n - 1 >= longest_walk_in_32_bits) return walk_clipped_line(raster, a, b, window, options, plot);  // 0, too
   const line_walk<std::uint32_t> walk = whole_walk(a, n, m, octant_of(a, b, height >= width), options);
   const byte_rows<pixel_of<R>> rows = byte_rows_of(raster);
@@ -245,8 +245,8 @@ IRG_NOINLINE constexpr void draw_level_line(R& raster, cell a, cell b, const cel
   const std::int64_t closed = ends == line_ends::closed ? 1 : 0;
   const std::int64_t low = a.x <= b.x ? a.x : b.x + 1 - closed,
                      high = a.x <= b.x ? b.x + closed : a.x + std::int64_t{1};
-  const int first = static_cast<int>(greater(low, std::int64_t{window.x_first}));
-  const int last = static_cast<int>(lesser(high, std::int64_t{window.x_last}));
+  const int first = static_cast<int>(maximum(low, std::int64_t{window.x_first}));
+  const int last = static_cast<int>(minimum(high, std::int64_t{window.x_last}));
   if (a.y >= window.y_first && a.y < window.y_last && first < last)
     fill_pixels(raster_traits<R>::row(raster, a.y) + first, static_cast<std::size_t>(last - first), value);
 }

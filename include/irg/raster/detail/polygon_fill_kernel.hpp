@@ -38,15 +38,15 @@ constexpr void add_edge(std::vector<polygon_edge<J>>& edges, const edge_vertex<J
   const bool down = a.y < b.y;
   const edge_vertex<J>&upper = down ? a : b, &lower = down ? b : a;
   const row_range rows = rows_of_edge(upper, lower);
-  const std::int64_t first = greater(rows.first, std::int64_t{w.y_first}),
-                     last = lesser(rows.last, std::int64_t{w.y_last});
+  const std::int64_t first = maximum(rows.first, std::int64_t{w.y_first}),
+                     last = minimum(rows.last, std::int64_t{w.y_last});
   if (first >= last) return;
-  if (row_from(lesser(a.x, b.x)) >= w.x_last) return;
+  if (row_from(minimum(a.x, b.x)) >= w.x_last) return;
   polygon_edge<J> e;
   e.row_first = static_cast<int>(first);
   e.row_last = static_cast<int>(last);
   e.direction = down ? 1 : -1;
-  if (row_from(greater(a.x, b.x)) <= w.x_first)
+  if (row_from(maximum(a.x, b.x)) <= w.x_first)
     e.walk.column = w.x_first;  // on the left all the way: only its direction counts
   else
     e.walk = walk_edge(upper, lower, first);
@@ -86,7 +86,7 @@ public:
   }
   // From this column on the winding number is greater by `change`. Columns left of the window count as its first.
   IRG_INLINE constexpr void at(std::int64_t column, int change) {
-    const int x = static_cast<int>(clamp(column, std::int64_t{window_.x_first}, std::int64_t{window_.x_last}));
+    const int x = static_cast<int>(clamped(column, std::int64_t{window_.x_first}, std::int64_t{window_.x_last}));
     const bool was_inside = (winding_ & inside_bits_) != 0;
     winding_ += change;
     const bool is_inside = (winding_ & inside_bits_) != 0;
@@ -120,7 +120,7 @@ constexpr void emit_unordered(const polygon_edge<J>* first, const polygon_edge<J
   const std::size_t width = static_cast<std::size_t>(std::int64_t{w.x_last} - w.x_first);
   turns.assign(width + 1, 0);
   for (; first < last; ++first) {
-    const std::int64_t x = clamp(std::int64_t{first->walk.column}, std::int64_t{w.x_first}, std::int64_t{w.x_last});
+    const std::int64_t x = clamped(std::int64_t{first->walk.column}, std::int64_t{w.x_first}, std::int64_t{w.x_last});
     turns[static_cast<std::size_t>(x - w.x_first)] += first->direction;
   }
   for (std::size_t i = 0; i < width; ++i)
@@ -148,12 +148,12 @@ constexpr void scan_edges(std::vector<polygon_edge<J>>& edges, std::vector<int>&
       for (edge* e = waiting; e != active;) {
         --e;
         if (e->row_last <= y) continue;
-        change_at = lesser(change_at, e->row_last);
+        change_at = minimum(change_at, e->row_last);
         if (--kept != e) *kept = *e;
       }
       active = kept;
-      for (; waiting != end && waiting->row_first <= y; ++waiting) change_at = lesser(change_at, waiting->row_last);
-      if (waiting != end) change_at = lesser(change_at, waiting->row_first);
+      for (; waiting != end && waiting->row_first <= y; ++waiting) change_at = minimum(change_at, waiting->row_last);
+      if (waiting != end) change_at = minimum(change_at, waiting->row_first);
       if (active == waiting) continue;
     }
     spans.start_row(y);

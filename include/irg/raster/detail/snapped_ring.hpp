@@ -20,12 +20,12 @@ struct ring_extent {
 
   template <class V>
   IRG_INLINE constexpr void add(const V& v, std::size_t i) noexcept {
-    left = lesser(left, v.x);
-    right = greater(right, v.x);
+    left = minimum(left, v.x);
+    right = maximum(right, v.x);
     topmost = v.y < top ? i : topmost;
-    top = lesser(top, v.y);
+    top = minimum(top, v.y);
     lowest = v.y > bottom ? i : lowest;
-    bottom = greater(bottom, v.y);
+    bottom = maximum(bottom, v.y);
   }
 };
 

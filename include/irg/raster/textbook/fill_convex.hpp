@@ -42,15 +42,15 @@ constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_windo
   int128 double_area = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const auto p = at(i), q = at(i + 1);
-    x_min = lesser(x_min, p.x);
-    x_max = greater(x_max, p.x);
-    y_min = lesser(y_min, p.y);
-    y_max = greater(y_max, p.y);
+    x_min = minimum(x_min, p.x);
+    x_max = maximum(x_max, p.x);
+    y_min = minimum(y_min, p.y);
+    y_max = maximum(y_max, p.y);
     double_area += int128{p.x} * q.y - int128{q.x} * p.y;
   }
   const std::int64_t unit = one_pixel, up_to = rule == sample_rule::half_open ? y_max - 1 : y_max;
-  const std::int64_t y_last = lesser<std::int64_t>(floor_div(up_to, unit) + 1, window.y_last);
-  for (std::int64_t y = greater<std::int64_t>(ceil_div(y_min, unit), window.y_first); y < y_last; ++y) {
+  const std::int64_t y_last = minimum<std::int64_t>(floor_div(up_to, unit) + 1, window.y_last);
+  for (std::int64_t y = maximum<std::int64_t>(ceil_div(y_min, unit), window.y_first); y < y_last; ++y) {
     row_crossing l{x_min, 1}, d{x_max, 1};
     for (std::size_t i = 0; i < n; ++i) {
       const auto p = at(i), q = at(i + 1);
@@ -59,13 +59,13 @@ constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_windo
       const int128 c = int128{p.x} * q.y - int128{q.x} * p.y, along = -int128{b} * (y * unit) - c;
       const row_crossing x = a > 0 ? row_crossing{along, a} : row_crossing{-along, -a};
       if ((a < 0) == (double_area <= 0))  // rises, and the polygon runs clockwise, y up; or neither
-        l = greater(l, x);
+        l = maximum(l, x);
       else
-        d = lesser(d, x);
+        d = minimum(d, x);
     }
     const row_cells row = cells_of_row(l, d, rule);
-    const std::int64_t first = greater<std::int64_t>(row.first, window.x_first);
-    const std::int64_t last = lesser<std::int64_t>(row.last, window.x_last);
+    const std::int64_t first = maximum<std::int64_t>(row.first, window.x_first);
+    const std::int64_t last = minimum<std::int64_t>(row.last, window.x_last);
     if (first < last) sink(span_of_cells{static_cast<int>(y), static_cast<int>(first), static_cast<int>(last)});
   }
 }

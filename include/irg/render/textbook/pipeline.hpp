@@ -45,8 +45,8 @@ constexpr void shade_triangles(std::span<const point<double, 3>> corners, const 
     if (area <= 0) continue;
     const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
     const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
-    for (int y = greater(top / one_pixel, 0); y <= lesser(bottom / one_pixel, picture.height() - 1); ++y)
-      for (int x = greater(left / one_pixel, 0); x <= lesser(right / one_pixel, picture.width() - 1); ++x) {
+    for (int y = maximum(top / one_pixel, 0); y <= minimum(bottom / one_pixel, picture.height() - 1); ++y)
+      for (int x = maximum(left / one_pixel, 0); x <= minimum(right / one_pixel, picture.width() - 1); ++x) {
         // 3. Pixels: inside of all three edges, or on one that is a left or a top edge; and nearer than what is there.
         double b[3];  // barycentric coordinates of the pixel's centre
         bool inside = true;

@@ -77,7 +77,7 @@ struct body_arrangement {
   }
   constexpr void join(std::uint32_t s, std::uint32_t t) noexcept {
     const std::uint32_t p = part_of(s), q = part_of(t);
-    triangles[greater(p, q)].part = lesser(p, q);
+    triangles[maximum(p, q)].part = minimum(p, q);
   }
 };
 
@@ -196,7 +196,7 @@ constexpr void end_side(Cut& c, const Face& f, std::uint32_t first, std::uint32_
   else if (piece.beside[k] != no_index)
     c.join(first + p, first + piece.beside[k]);
   else if (c.bodies.twin[3 * std::size_t{f.number} + static_cast<std::size_t>(f.rim_of(from, to))] != no_index)
-    c.sides.push_back({lesser(u, v), greater(u, v), first + p});
+    c.sides.push_back({minimum(u, v), maximum(u, v), first + p});
 }
 
 // Cuts a triangle at its marks.
@@ -256,7 +256,7 @@ constexpr bool join_parts(Cut& c) {
       const std::uint32_t other = c.only_piece[twin / 3];
       const auto& v = c.triangles[piece].v;
       if (other == no_index)
-        c.sides.push_back({lesser(v[k], v[(k + 1) % 3]), greater(v[k], v[(k + 1) % 3]), piece});
+        c.sides.push_back({minimum(v[k], v[(k + 1) % 3]), maximum(v[k], v[(k + 1) % 3]), piece});
       else if (other < piece)
         c.join(piece, other);
     }

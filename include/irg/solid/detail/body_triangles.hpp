@@ -112,7 +112,7 @@ constexpr void merge_bodies(Bodies& b) {
     b.face[kept++] = b.face[t];
     b.ends[b.body[t]] = kept;
   }
-  for (std::size_t i = 1; i < b.ends.size(); ++i) b.ends[i] = greater(b.ends[i], b.ends[i - 1]);
+  for (std::size_t i = 1; i < b.ends.size(); ++i) b.ends[i] = maximum(b.ends[i], b.ends[i - 1]);
   b.triangles.resize(kept, triangle_indices{});
   b.face.resize(kept, 0);
 }
@@ -130,11 +130,11 @@ constexpr void pair_sides(Bodies& b) {
     for (std::uint32_t t = 0; t < b.triangles.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k) use(3 * t + k, b.triangles[t].v[k], b.triangles[t].v[(k + 1) % 3]);
   };
-  each_side([&](std::uint32_t, std::uint32_t v, std::uint32_t w) { ++start[lesser(v, w) + std::size_t{1}]; });
+  each_side([&](std::uint32_t, std::uint32_t v, std::uint32_t w) { ++start[minimum(v, w) + std::size_t{1}]; });
   for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
   std::vector<side> sides(3 * b.triangles.size(), side{});
   each_side([&](std::uint32_t corner, std::uint32_t v, std::uint32_t w) {
-    sides[start[lesser(v, w)]++] = {greater(v, w), 2 * corner + (v < w ? 1u : 0u)};
+    sides[start[minimum(v, w)]++] = {maximum(v, w), 2 * corner + (v < w ? 1u : 0u)};
   });
   const auto body_of = [&](std::size_t i) { return b.body[sides[i].corner / 6]; };
   for (std::size_t v = 0, begin = 0; v + 1 < start.size(); begin = start[v++]) {

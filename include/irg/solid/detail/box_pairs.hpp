@@ -20,18 +20,18 @@ namespace irg::detail {
 struct IRG_APART space_box {
   double low[3], high[3];
 
-  constexpr bool operator==(const space_box&) const = default;
+  bool operator==(const space_box&) const = default;
 
   constexpr void add(const point<double, 3>& p) noexcept {
     for (int i = 0; i < 3; ++i) {
-      low[i] = lesser(low[i], p[i]);
-      high[i] = greater(high[i], p[i]);
+      low[i] = minimum(low[i], p[i]);
+      high[i] = maximum(high[i], p[i]);
     }
   }
   constexpr void add(const space_box& b) noexcept {
     for (int i = 0; i < 3; ++i) {
-      low[i] = lesser(low[i], b.low[i]);
-      high[i] = greater(high[i], b.high[i]);
+      low[i] = minimum(low[i], b.low[i]);
+      high[i] = maximum(high[i], b.high[i]);
     }
   }
   IRG_INLINE constexpr bool meets(const space_box& b) const noexcept {
@@ -52,7 +52,7 @@ constexpr space_box no_box() noexcept {
 /// too, so one of those that a space is divided into has it.
 constexpr bool begins_in(const space_box& a, const space_box& b, const space_box& cell) noexcept {
   for (int i = 0; i < 3; ++i) {
-    const double begin = greater(a.low[i], b.low[i]);
+    const double begin = maximum(a.low[i], b.low[i]);
     if (begin < cell.low[i] || !(begin < cell.high[i] || cell.high[i] == (std::numeric_limits<double>::max)()))
       return false;
   }
@@ -163,8 +163,8 @@ constexpr bool narrow_region(space_box& region, const std::vector<space_box>& bo
   space_box all = no_box();
   for (const std::uint32_t i : lot) all.add(boxes[i]);
   for (int i = 0; i < 3; ++i) {
-    region.low[i] = greater(region.low[i], all.low[i]);
-    region.high[i] = lesser(region.high[i], all.high[i]);
+    region.low[i] = maximum(region.low[i], all.low[i]);
+    region.high[i] = minimum(region.high[i], all.high[i]);
     if (region.high[i] < region.low[i]) return false;
   }
   return true;

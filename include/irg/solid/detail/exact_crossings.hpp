@@ -21,7 +21,7 @@ struct near_point {
 
   // How far these may be from it, and more.
   constexpr double slack() const noexcept {
-    const double size = greater(greater(magnitude(rounded.x), magnitude(rounded.y)), magnitude(rounded.z));
+    const double size = maximum(maximum(magnitude(rounded.x), magnitude(rounded.y)), magnitude(rounded.z));
     return size * 0x1p-50 + 0x1p-1000;
   }
 };
@@ -48,7 +48,7 @@ constexpr void count_exact_crossing(const std::vector<point<double, 3>>& positio
     none_left = none_left && sign[k] <= 0;
   }
   if (none_right == none_left) return;  // beside, or upright
-  const int side = side_of_plane(at(0), at(1), at(2), p.exact), turn = none_right ? 1 : -1;
+  const int side = sign_of(side_of_plane(at(0), at(1), at(2), p.exact)), turn = none_right ? 1 : -1;
   if (side == 0) out.on_surface = true;
   if (side == turn || side == 0) return;
   for (int k = 0; k < 3; ++k)

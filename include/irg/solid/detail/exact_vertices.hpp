@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/nearest_float.hpp>
 #include <irg/geometry/exact_point.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>
@@ -24,10 +24,10 @@ inline constexpr double least_size = 0x1p-900, most_size = 0x1p300;
 
 // orient2d of three points of which some are rounded; 0 where that does not tell.
 constexpr int sure_turn(const point<double, 2>& p, const point<double, 2>& q, const point<double, 2>& r) noexcept {
-  const auto largest = [](const point<double, 2>& x) { return greater(magnitude(x.x), magnitude(x.y)); };
+  const auto largest = [](const point<double, 2>& x) { return maximum(magnitude(x.x), magnitude(x.y)); };
   const double ax = q.x - p.x, ay = q.y - p.y, bx = r.x - p.x, by = r.y - p.y;
-  const double size = greater(greater(largest(p), largest(q)), largest(r));
-  const double reach = greater(greater(magnitude(ax), magnitude(ay)), greater(magnitude(bx), magnitude(by)));
+  const double size = maximum(maximum(largest(p), largest(q)), largest(r));
+  const double reach = maximum(maximum(magnitude(ax), magnitude(ay)), maximum(magnitude(bx), magnitude(by)));
   const double value = product(ax, by) - product(ay, bx), bound = product(size, reach) * rounded_turn_bound;
   const bool is_sure = bound > least_size && size < most_size && magnitude(value) > bound;
   return !is_sure ? 0 : value > 0 ? 1 : -1;
@@ -86,7 +86,7 @@ public:
   constexpr int compare(std::uint32_t u, std::uint32_t v, int axis) {
     const double p = at[u][axis], q = at[v][axis];
     if (u < corners && v < corners) return compare_numbers(p, q);
-    const double bound = greater(magnitude(p), magnitude(q)) * 0x1p-50;
+    const double bound = maximum(magnitude(p), magnitude(q)) * 0x1p-50;
     if (bound > least_size && magnitude(p - q) > bound) return p < q ? -1 : 1;
     return irg::compare_along(axis, exact(u, 0), exact(v, 1));
   }

@@ -43,7 +43,7 @@ struct rounded_plane {
   IRG_INLINE constexpr bounded_value operator()(const double (&p)[3], double off) const noexcept {
     constexpr double least = 0x1p-1000;
     const double dx = p[0] - at[0], dy = p[1] - at[1], dz = p[2] - at[2];
-    const double reach = greater(greater(magnitude(dx), magnitude(dy)), magnitude(dz));
+    const double reach = maximum(maximum(magnitude(dx), magnitude(dy)), magnitude(dz));
     const double value = product(normal[0], dx) + product(normal[1], dy) + product(normal[2], dz);
     return {value, product(error, reach) + product(size, off) + least};
   }
@@ -57,7 +57,7 @@ IRG_INLINE constexpr rounded_plane plane_of_corners(const double (&a)[3], const 
   for (int k = 0; k < 3; ++k) {
     u[k] = b[k] - a[k];
     v[k] = c[k] - a[k];
-    s = greater(s, greater(magnitude(u[k]), magnitude(v[k])));
+    s = maximum(s, maximum(magnitude(u[k]), magnitude(v[k])));
   }
   rounded_plane p{{product(u[1], v[2]) - product(u[2], v[1]), product(u[2], v[0]) - product(u[0], v[2]),
                    product(u[0], v[1]) - product(u[1], v[0])},
@@ -86,8 +86,8 @@ struct walked_plane {
   IRG_INLINE constexpr explicit walked_plane(const rounded_plane& p) noexcept
       : normal{p.normal[0], p.normal[1], p.normal[2]},
         offset(product(p.normal[0], p.at[0]) + product(p.normal[1], p.at[1]) + product(p.normal[2], p.at[2])),
-        error(greater(p.error, 0x1p-50 * p.size)),
-        error_at(product(error, greater(greater(magnitude(p.at[0]), magnitude(p.at[1])), magnitude(p.at[2]))) +
+        error(maximum(p.error, 0x1p-50 * p.size)),
+        error_at(product(error, maximum(maximum(magnitude(p.at[0]), magnitude(p.at[1])), magnitude(p.at[2]))) +
                  0x1p-1000) {}
 
   // reach   the largest coordinate of p
@@ -258,11 +258,11 @@ constexpr piece_corner crossing_corner(const piece_corner& a, const piece_corner
   for (int k = 0; k < 3; ++k) {
     const double way = b.at[k] - a.at[k];
     c.at[k] = a.at[k] + product(share, way);
-    length = greater(length, magnitude(way));
-    size = greater(size, greater(magnitude(a.at[k]), magnitude(b.at[k])));
+    length = maximum(length, magnitude(way));
+    size = maximum(size, maximum(magnitude(a.at[k]), magnitude(b.at[k])));
   }
-  const double off = greater(f.bound, g.bound) / magnitude(whole) + 0x1p-50;
-  c.off = 1.01 * (greater(a.off, b.off) + product(length, off) + product(size, 0x1p-50)) + 0x1p-1000;
+  const double off = maximum(f.bound, g.bound) / magnitude(whole) + 0x1p-50;
+  c.off = 1.01 * (maximum(a.off, b.off) + product(length, off) + product(size, 0x1p-50)) + 0x1p-1000;
   return c;
 }
 
@@ -297,8 +297,8 @@ constexpr int side_of_corner(const bsp_cells_3d<T>& cells, std::uint32_t triangl
     return side < 3 ? points_of_side(cells.d, triangle, side) : points_of(cells.d, cells.d.nodes[side - 3].plane);
   };
   const plane_points<T> whole = points_of(cells.d, {triangle, bsp_plane_3d::of_triangle});
-  return side_of_meeting(whole, points(last), points(next), points_of(cells.d, cells.d.nodes[by.number].plane))
-      .value_or(0);
+  return sign_of(side_of_meeting(whole, points(last), points(next), points_of(cells.d, cells.d.nodes[by.number].plane))
+                     .value_or(irg::side::on));
 }
 
 // A triangle that a plane cuts: is the piece of it cut, too?
@@ -318,8 +318,8 @@ constexpr bool part_piece(bsp_cells_3d<T>& cells, const open_piece& p, const std
     int low = 0, high = 0;
     for (std::size_t i = 0; i < cells.ring.size(); ++i) {
       cells.side.push_back(side_of_corner(cells, p.triangle, i, at, by));
-      low = lesser(low, cells.side.back());
-      high = greater(high, cells.side.back());
+      low = minimum(low, cells.side.back());
+      high = maximum(high, cells.side.back());
     }
     if (low == 0 || high == 0) {
       (low == 0 ? to.front : to.back).push_back(p);
@@ -374,7 +374,7 @@ constexpr bool judge_across(const bsp_cells_3d<T>& cells, const std::vector<open
   std::vector<std::uint32_t> across;
   for (const open_piece& p : pieces)
     if (reaches_across(cells, p)) across.push_back(p.triangle);
-  const std::size_t some = lesser(tried, across.size());
+  const std::size_t some = minimum(tried, across.size());
   for (std::size_t i = 0; i < some; ++i)
     judge_plane(cells, {across[i * across.size() / some], bsp_plane_3d::of_triangle}, pieces, c, best_one);
   return some > 0;
@@ -397,8 +397,8 @@ constexpr std::uint32_t median_vertex(const bsp_cells_3d<T>& cells, const std::v
 // The plane by which a cell is divided: of some that are tried the one of the least cost.
 template <Floating T>
 constexpr bsp_plane_3d dividing_plane(const bsp_cells_3d<T>& cells, const std::vector<open_piece>& pieces,
-                                      const bsp_choice& choice) {
-  const std::size_t n = pieces.size(), tried = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
+                                      const bsp_options& choice) {
+  const std::size_t n = pieces.size(), tried = minimum(choice.candidates, n), judges = minimum(choice.judges, n);
   best_plane best_one{{pieces.front().triangle, bsp_plane_3d::of_triangle}, ~std::size_t{0}};
   if (tried > 1 && judge_across(cells, pieces, tried, {judges, choice.cut_costs}, best_one)) return best_one.plane;
   for (std::size_t i = 0; tried > 1 && i < tried; ++i)
@@ -419,7 +419,7 @@ constexpr std::size_t divide_cell(bsp_cells_3d<T>& cells, const std::vector<open
     std::array<int, 3> at{};
     const auto& [v] = cells.d.triangles[p.triangle];
     for (std::size_t k = 0; k < 3; ++k) at[k] = side_of_vertex(cells, v[k], by);
-    const int low = lesser(lesser(at[0], at[1]), at[2]), high = greater(greater(at[0], at[1]), at[2]);
+    const int low = minimum(minimum(at[0], at[1]), at[2]), high = maximum(maximum(at[0], at[1]), at[2]);
     if (low == 0 && high == 0)
       to.on.push_back(p);
     else if (low >= 0)
@@ -448,7 +448,7 @@ struct bsp_walk_step {
   walked_plane plane;
   std::uint32_t below[2], piece;
 };
-inline constexpr std::uint32_t several_pieces = bsp_none - 1;
+inline constexpr std::uint32_t several_pieces = no_index - 1;
 
 struct bsp_sizes {
   std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0, links = 0;
@@ -480,12 +480,12 @@ constexpr std::uint32_t& link_of(growing_bsp_3d<T>& tree, const bsp_link& l) noe
 template <Floating T>
 constexpr bsp_walk_step step_at(const growing_bsp_3d<T>& tree, std::uint32_t i) {
   const bsp_node_3d& n = tree.data.nodes[i];
-  const bool has_one = n.beside == bsp_none && n.last - n.first <= 1;
+  const bool has_one = n.beside == no_index && n.last - n.first <= 1;
   return {walked_plane(tree.planes[i]),
           {n.back, n.front},
           !has_one           ? several_pieces
           : n.first < n.last ? n.first
-                             : bsp_none};
+                             : no_index};
 }
 
 template <Floating T>
@@ -498,7 +498,7 @@ constexpr bsp_sizes sizes_of(const growing_bsp_3d<T>& tree) noexcept {
 template <Floating T>
 constexpr void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to) {
   for (; tree.links.size() > to.links; tree.links.pop_back()) {
-    link_of(tree, tree.links.back()) = bsp_none;
+    link_of(tree, tree.links.back()) = no_index;
     tree.steps[tree.links.back().node] = step_at(tree, tree.links.back().node);
   }
   tree.data.vertices.resize(to.vertices, point<T, 3>{});
@@ -516,7 +516,7 @@ template <Floating T>
 constexpr std::uint32_t make_node(growing_bsp_3d<T>& tree, bsp_plane_3d plane) {
   const auto here = static_cast<std::uint32_t>(tree.data.nodes.size());
   const auto end = static_cast<std::uint32_t>(tree.data.pieces.size());
-  tree.data.nodes.push_back({plane, end, end, bsp_none, bsp_none, bsp_none});
+  tree.data.nodes.push_back({plane, end, end, no_index, no_index, no_index});
   tree.planes.push_back(plane_of(tree.data, plane));
   return here;
 }
@@ -530,7 +530,7 @@ constexpr void hang(growing_bsp_3d<T>& tree, std::uint32_t node, const bsp_link&
 // A new node for pieces in the plane of one that is there.
 template <Floating T>
 constexpr std::uint32_t make_node_beside(growing_bsp_3d<T>& tree, std::uint32_t node) {
-  while (tree.data.nodes[node].beside != bsp_none) node = tree.data.nodes[node].beside;
+  while (tree.data.nodes[node].beside != no_index) node = tree.data.nodes[node].beside;
   const std::uint32_t here = make_node(tree, tree.data.nodes[node].plane);
   hang(tree, here, {node, hung::beside});
   return here;
@@ -548,13 +548,13 @@ constexpr auto take_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 
                               std::span<const triangle_indices> triangles) {
   const auto base = static_cast<std::uint32_t>(tree.data.vertices.size());
   tree.data.vertices.insert(tree.data.vertices.end(), vertices.begin(), vertices.end());
-  typename growing_bsp_3d<T>::open_cell all{{}, {bsp_none, hung::in_front}};
+  typename growing_bsp_3d<T>::open_cell all{{}, {no_index, hung::in_front}};
   for (const triangle_indices& t : triangles) {
     const auto number = static_cast<std::uint32_t>(tree.data.triangles.size());
     for (const std::uint32_t v : t.v) IRG_EXPECTS(v < vertices.size());
     tree.data.triangles.push_back({{t.v[0] + base, t.v[1] + base, t.v[2] + base}});
     if (has_area(tree.data, number))
-      all.pieces.push_back({number, bsp_none, 0, 0});
+      all.pieces.push_back({number, no_index, 0, 0});
     else
       ++tree.left_out;
   }
@@ -563,7 +563,7 @@ constexpr auto take_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 
 
 template <Floating T>
 constexpr void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
-                             std::span<const triangle_indices> triangles, const bsp_choice& choice) {
+                             std::span<const triangle_indices> triangles, const bsp_options& choice) {
   using open_cell = typename growing_bsp_3d<T>::open_cell;
   IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
   const std::size_t links_before = tree.links.size();
@@ -576,11 +576,11 @@ constexpr void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3
     open_cell t = std::move(open.back());
     open.pop_back();
     // The root, or what hangs where this would hang: there only before anything is added.
-    std::uint32_t here = t.at.node != bsp_none ? link_of(tree, t.at) : tree.data.nodes.empty() ? bsp_none : 0;
-    const bool is_new = here == bsp_none;
+    std::uint32_t here = t.at.node != no_index ? link_of(tree, t.at) : tree.data.nodes.empty() ? no_index : 0;
+    const bool is_new = here == no_index;
     if (is_new) {
       here = make_node(tree, dividing_plane(cells, t.pieces, choice));
-      if (t.at.node != bsp_none) hang(tree, here, t.at);
+      if (t.at.node != no_index) hang(tree, here, t.at);
     }
     on.clear();
     open_cell front{{}, {here, hung::in_front}}, back{{}, {here, hung::behind}};

@@ -22,7 +22,7 @@ using range_of = typename Source::range;
 
 constexpr bvh_node empty_node() noexcept {
   bvh_node n{};
-  for (int k = 0; k < bvh_node::width; ++k) set_child(n, k, bvh_node::none, empty_item());
+  for (int k = 0; k < bvh_node::width; ++k) set_child(n, k, no_index, empty_item());
   return n;
 }
 
@@ -51,7 +51,7 @@ constexpr void append_part(bvh_growth<Source>& g, const bvh& part) {
   for (const bvh_node& from : part.nodes) {
     nodes.push_back(from);
     for (std::uint32_t& child : nodes.back().child)
-      if (child != bvh_node::none) child += bvh_node::is_leaf(child) ? 2 * first_leaf : first_node;
+      if (child != no_index) child += bvh_node::is_leaf(child) ? 2 * first_leaf : first_node;
   }
 }
 
@@ -82,7 +82,7 @@ constexpr bvh_item grow_leaf(bvh_growth<Source>& g, const range_of<Source>& r, s
   bvh_item around = empty_item();
   for (std::uint32_t i = 0; i < r.count || i % bvh_node::block != 0; ++i) {
     if (i >= r.count) {
-      g.tree.order.push_back(bvh_node::none);
+      g.tree.order.push_back(no_index);
       continue;
     }
     const bvh_item& item = item_at(g.source, r, i);
@@ -201,7 +201,7 @@ struct bvh_slices {
 
   constexpr int bin_of(float x) const noexcept {
     const float at = (x - least) * gain;
-    return at > 0.0f ? static_cast<int>(low_of(at, static_cast<float>(count - 1))) : 0;
+    return at > 0.0f ? static_cast<int>(minimum(at, static_cast<float>(count - 1))) : 0;
   }
   constexpr float plane(int bin) const noexcept { return least + product(static_cast<float>(bin + 1), width); }
 };
@@ -279,7 +279,7 @@ constexpr bool is_box(const bvh_item& a) noexcept {
 // Twice the sides of the box that two have in common.
 constexpr float area_in_common(const bvh_item& a, const bvh_item& b) noexcept {
   bvh_item c = a;
-  for (int i = 0; i < 8; ++i) c.v[i] = greater(a.v[i], b.v[i]);
+  for (int i = 0; i < 8; ++i) c.v[i] = maximum(a.v[i], b.v[i]);
   return is_box(c) ? area_of(c) : 0.0f;
 }
 
@@ -339,7 +339,7 @@ constexpr void partition_range(area_splits<Cut>& splits, area_split_range& r, ar
   for (std::size_t i = r.first; i < std::size_t{r.first} + r.count; ++i) {
     const bvh_item item = from[i];
     const float at = (item.v[best.axis] - item.v[4 + best.axis]) - b.least[best.axis];
-    const bool is_low = static_cast<int>(low_of(at * b.gain[best.axis], static_cast<float>(b.count - 1))) <= best.bin;
+    const bool is_low = static_cast<int>(minimum(at * b.gain[best.axis], static_cast<float>(b.count - 1))) <= best.bin;
     to[low] = item;  // one of the two is written over
     to[high] = item;
     low += is_low ? 1u : 0u;

@@ -29,7 +29,7 @@ inline namespace IRG_ABI {
 template <class F>
 IRG_INLINE constexpr void grow_by(float* around, const float* item) noexcept {
   for (int i = 0; i < 8; i += lanes<F>::count)
-    lanes<F>::store(around + i, low_of(lanes<F>::load(item + i), lanes<F>::load(around + i)));
+    lanes<F>::store(around + i, minimum(lanes<F>::load(item + i), lanes<F>::load(around + i)));
 }
 IRG_INLINE constexpr void grow_kernel(float* around, const float* item) noexcept {
   if (std::is_constant_evaluated())
@@ -58,7 +58,7 @@ IRG_INLINE constexpr void bins_by(std::int32_t* bin, const float* item, const fl
   using J = typename lanes<F>::template rebind<std::int32_t>;
   for (int i = 0; i < 4; i += lanes<F>::count) {
     const F at = (lanes<F>::load(item + i) - lanes<F>::load(item + 4 + i)) - lanes<F>::load(least + i);
-    const F place = low_of(at * lanes<F>::load(gain + i), lanes<F>::broadcast(static_cast<float>(last)));
+    const F place = minimum(at * lanes<F>::load(gain + i), lanes<F>::broadcast(static_cast<float>(last)));
     lanes<J>::store(bin + i, converted<std::int32_t>(place));
   }
 }
@@ -77,7 +77,7 @@ IRG_INLINE constexpr void bins_kernel(std::int32_t* bin, const float* item, cons
 struct alignas(32) bvh_item {
   float v[8];
 
-  constexpr bool operator==(const bvh_item&) const = default;
+  bool operator==(const bvh_item&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -136,8 +136,8 @@ IRG_INLINE constexpr bvh_item box_round(const bvh_node& node) noexcept {
   bvh_item b = empty_item();
   for (int k = 0; k < bvh_node::width; ++k)
     for (int i = 0; i < 3; ++i) {
-      b.v[i] = lesser(b.v[i], node.low(i, k));
-      b.v[4 + i] = lesser(b.v[4 + i], 0.0f - node.high(i, k));
+      b.v[i] = minimum(b.v[i], node.low(i, k));
+      b.v[4 + i] = minimum(b.v[4 + i], 0.0f - node.high(i, k));
     }
   return b;
 }
@@ -149,7 +149,7 @@ constexpr void rescale(bvh& tree, std::span<const box<T, 3>> boxes) noexcept {
   for (const box<T, 3>& b : boxes)
     if (is_held(b))
       for (int i = 0; i < 3; ++i)
-        most = greater(most, greater(magnitude(exactly_widened(b.low[i])), magnitude(exactly_widened(b.high[i]))));
+        most = maximum(most, maximum(magnitude(exactly_widened(b.low[i])), magnitude(exactly_widened(b.high[i]))));
   tree.scale = power_of_two(-(exponent_of(most) + 1) < -1022 ? -1022 : -(exponent_of(most) + 1));
 }
 

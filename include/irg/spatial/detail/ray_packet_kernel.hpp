@@ -59,16 +59,16 @@ IRG_INLINE bool set_up_packet_axis(ray_packet& p, int axis, const float* origins
     lanes<F>::store(p.far_gain[axis] + k, far_gain);
     lanes<F>::store(p.near_offset[axis] + k, (-to_origin) - slack);
     lanes<F>::store(p.far_offset[axis] + k, (slack - to_origin) * longer);
-    least_near = low_of(magnitude(gain), least_near);
-    most_far = high_of(magnitude(far_gain), most_far);
-    least_origin = low_of(o, least_origin);
-    most_origin = high_of(o, most_origin);
+    least_near = minimum(magnitude(gain), least_near);
+    most_far = maximum(magnitude(far_gain), most_far);
+    least_origin = minimum(o, least_origin);
+    most_origin = maximum(o, most_origin);
   }
   standing &= still;
   constexpr unsigned every = (1u << ray_packet::size) - 1;
   if (good != every || (back != 0 && back != every)) return false;
-  const float low_gain = least_of(least_near), high_gain = greatest_of(most_far);
-  const float low_origin = least_of(least_origin), high_origin = greatest_of(most_origin);
+  const float low_gain = reduce_min(least_near), high_gain = reduce_max(most_far);
+  const float low_origin = reduce_min(least_origin), high_origin = reduce_max(most_origin);
   const float sign = back != 0 ? -1.0f : 1.0f;
   const float last = back != 0 ? -low_origin : high_origin, first = back != 0 ? -high_origin : low_origin;
   p.whole.near_gain[axis] = sign * low_gain;
@@ -85,8 +85,8 @@ IRG_INLINE float latest_of(const ray_packet& p) noexcept {
   using F = packet_lanes;
   F most = lanes<F>::load(p.high);
   for (int k = lanes<F>::count; k < ray_packet::size; k += lanes<F>::count)
-    most = high_of(lanes<F>::load(p.high + k), most);
-  return greatest_of(most);
+    most = maximum(lanes<F>::load(p.high + k), most);
+  return reduce_max(most);
 }
 
 // The rays' lows and highs as the boxes', on the safe side. Gives whether all are in order.
@@ -99,17 +99,17 @@ IRG_INLINE bool set_up_packet_times(ray_packet& p, float scale) noexcept {
   unsigned good = 0;
   for (int k = 0; k < ray_packet::size; k += lanes<F>::count) {
     const F low = lanes<F>::load(p.low + k), high = lanes<F>::load(p.high + k);
-    good |= static_cast<unsigned>(mask_bits(both(high_of(low, zero) <= high, low <= much))) << k;
-    const F early = low_of(high_of(low * all(1 - 0x1p-20f) * all(scale), zero), much);
+    good |= static_cast<unsigned>(mask_bits(both(maximum(low, zero) <= high, low <= much))) << k;
+    const F early = minimum(maximum(low * all(1 - 0x1p-20f) * all(scale), zero), much);
     const F late = high * all(1 + 0x1p-20f) * all(scale) + all(0x1p-74f);
     const F last = select(late < much, late, all(infinite));
     lanes<F>::store(p.low + k, early);
     lanes<F>::store(p.high + k, last);
-    least = low_of(early, least);
-    most = high_of(last, most);
+    least = minimum(early, least);
+    most = maximum(last, most);
   }
-  p.whole.low = least_of(least);
-  p.whole.high = greatest_of(most);
+  p.whole.low = reduce_min(least);
+  p.whole.high = reduce_max(most);
   return good == (1u << ray_packet::size) - 1;
 }
 
@@ -153,8 +153,8 @@ IRG_INLINE unsigned rays_at_box(const ray_packet& p, const bvh_node& node, std::
                                           lanes<F>::load(p.near_offset[axis] + i));
       const F distant = fused_multiply_add(far_bound[axis], lanes<F>::load(p.far_gain[axis] + i),
                                            lanes<F>::load(p.far_offset[axis] + i));
-      first = high_of(nearby, first);
-      last = low_of(distant, last);
+      first = maximum(nearby, first);
+      last = minimum(distant, last);
     }
     bits |= static_cast<unsigned>(mask_bits(first <= last)) << i;
   }
@@ -191,7 +191,7 @@ IRG_INLINE void walk_packet(const bvh_node* nodes, ray_packet& p, C& counts, con
       const bvh_node& parent = nodes[slot / bvh_node::width];
       const std::uint32_t k = slot % bvh_node::width, child = parent.child[k];
       const unsigned rays = rays_at_box(p, parent, k);
-      if (rays == 0 || child == bvh_node::none) continue;
+      if (rays == 0 || child == no_index) continue;
       if (!bvh_node::is_leaf(child)) {
         at = child;
         break;

@@ -30,7 +30,7 @@ IRG_INLINE constexpr F load_widened(const T* p) noexcept {
 // on no side, the others decide.
 template <class F>
 IRG_INLINE constexpr auto are_passed(const sheared_sides<F>& t, const F& bound) noexcept {
-  const F least = low_of(t.ab, low_of(t.bc, t.ca)), most = high_of(t.ab, high_of(t.bc, t.ca));
+  const F least = minimum(t.ab, minimum(t.bc, t.ca)), most = maximum(t.ab, maximum(t.bc, t.ca));
   return both(least < -bound, bound < most);
 }
 
@@ -96,7 +96,7 @@ IRG_INLINE void set_float_shear(float_shear& s, const ray<float, 3>& r, double m
   s.slope_x = d[s.x] / dz;
   s.slope_y = d[s.y] / dz;
   s.along = dz < 0 ? -1.0f : 1.0f;
-  s.start = lesser(greater(r.low, 0.0f) * magnitude(dz), converted<float>(m)) * s.along;
+  s.start = minimum(maximum(r.low, 0.0f) * magnitude(dz), converted<float>(m)) * s.along;
 }
 
 // A bit for each triangle that the ray is neither certainly past nor certainly behind: it would cross it before its
@@ -110,15 +110,15 @@ IRG_INLINE unsigned triangles_ahead(const float_shear& s, const At& at) noexcept
   const sheared_corners<F> c = corners_along<F>(origin, all(s.slope_x), all(s.slope_y), corner);
   const sheared_sides<F> t = sides_of(c);
   const auto largest = [](const F& a, const F& b, const F& d) {
-    return high_of(magnitude(a), high_of(magnitude(b), magnitude(d)));
+    return maximum(magnitude(a), maximum(magnitude(b), magnitude(d)));
   };
-  const F size = high_of(largest(c.x[0], c.x[1], c.x[2]), largest(c.y[0], c.y[1], c.y[2]));
+  const F size = maximum(largest(c.x[0], c.x[1], c.x[2]), largest(c.y[0], c.y[1], c.y[2]));
   const F bound = (size + all(s.error)) * all(4 * s.error);
   const F start = all(s.start), za = c.z[0] - start, zb = c.z[1] - start, zc = c.z[2] - start;
   const F ahead = (t.bc * za + t.ca * zb + t.ab * zc) * all(s.along);
   const F ahead_bound = bound * (largest(za, zb, zc) * all(4.0f) + size) + all(0x1p-120f);
-  const auto negative = low_of(t.ab, low_of(t.bc, t.ca)) < -bound;
-  const auto positive = bound < high_of(t.ab, high_of(t.bc, t.ca));
+  const auto negative = minimum(t.ab, minimum(t.bc, t.ca)) < -bound;
+  const auto positive = bound < maximum(t.ab, maximum(t.bc, t.ca));
   const auto passed = both(negative, positive | (ahead_bound < ahead)) | both(positive, ahead < -ahead_bound);
   constexpr unsigned full = (1u << lanes<F>::count) - 1;
   return full & ~static_cast<unsigned>(mask_bits(passed));
@@ -165,11 +165,11 @@ IRG_INLINE void set_packet_shear(packet_shear& s, double scale, const ray<float,
     const ray<float, 3>& r = rays[k];
     s.slope_x[k] = r.direction[s.x] / r.direction[s.z];
     s.slope_y[k] = r.direction[s.y] / r.direction[s.z];
-    steepest = greater(greater(magnitude(s.slope_x[k]), magnitude(s.slope_y[k])), steepest);
+    steepest = maximum(maximum(magnitude(s.slope_x[k]), magnitude(s.slope_y[k])), steepest);
     const int axes[3] = {s.x, s.y, s.z};
     for (int i = 0; i < 3; ++i) {
       s.origin[i][k] = r.origin[axes[i]];
-      most = greater(most, magnitude(s.origin[i][k]));
+      most = maximum(most, magnitude(s.origin[i][k]));
     }
   }
   const double m = (widened(most) + 1 / scale) * (1 + 0x1p-20);
@@ -188,9 +188,9 @@ IRG_INLINE unsigned rays_at_triangle(const packet_shear& s, const triangle_block
     const auto load = [i](const float* p) { return lanes<F>::load(p + i); };
     const F origin[3] = {load(s.origin[0]), load(s.origin[1]), load(s.origin[2])};
     const sheared_corners<F> c = corners_along<F>(origin, load(s.slope_x), load(s.slope_y), corner);
-    const F x = high_of(magnitude(c.x[0]), high_of(magnitude(c.x[1]), magnitude(c.x[2])));
-    const F y = high_of(magnitude(c.y[0]), high_of(magnitude(c.y[1]), magnitude(c.y[2])));
-    const F bound = (high_of(x, y) + all(s.error)) * all(4 * s.error);
+    const F x = maximum(magnitude(c.x[0]), maximum(magnitude(c.x[1]), magnitude(c.x[2])));
+    const F y = maximum(magnitude(c.y[0]), maximum(magnitude(c.y[1]), magnitude(c.y[2])));
+    const F bound = (maximum(x, y) + all(s.error)) * all(4 * s.error);
     constexpr unsigned full = (1u << lanes<F>::count) - 1;
     bits |= (full & ~static_cast<unsigned>(mask_bits(are_passed(sides_of(c), bound)))) << i;
   }

@@ -33,7 +33,7 @@ constexpr bool walk_anyhow(const bvh& tree, const box_ray& r, C& counts, const V
 template <class Meets>
 IRG_INLINE constexpr bool is_first_met(const bvh& tree, std::uint32_t place, const Meets& meets) {
   if (tree.earlier.empty()) return true;
-  for (std::uint32_t i = tree.earlier[place]; i != bvh_node::none; i = tree.earlier[i])
+  for (std::uint32_t i = tree.earlier[place]; i != no_index; i = tree.earlier[i])
     if (meets(tree.boxes[i / bvh_node::block])) return false;
   return true;
 }

@@ -40,7 +40,7 @@ inline namespace IRG_ABI {
 template <class F>
 IRG_INLINE constexpr F step_of_origin(const F& o) noexcept {
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
-  return high_of(magnitude(o) * all(0x1p-21f), all(0x1p-74f));
+  return maximum(magnitude(o) * all(0x1p-21f), all(0x1p-74f));
 }
 
 // D holds floats or doubles, as many as there are in F floats. Beyond the range of floats an origin is the last of
@@ -50,7 +50,7 @@ IRG_INLINE constexpr box_ray_axes<F> set_up_axes(const D& origin, const D& direc
   using number = typename lanes<D>::scalar;
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
   const auto limit = [](float x) { return lanes<D>::broadcast(static_cast<number>(x)); };
-  const F o = converted<float>(low_of(high_of(origin, limit(-0x1.fffffep127f)), limit(0x1.fffffep127f)));
+  const F o = converted<float>(minimum(maximum(origin, limit(-0x1.fffffep127f)), limit(0x1.fffffep127f)));
   const F d = converted<float>(direction);
   const auto stands = magnitude(d) < all(standing_direction);
   const F gain = all(1.0f) / select(stands, all(1.0f), d);
@@ -59,12 +59,12 @@ IRG_INLINE constexpr box_ray_axes<F> set_up_axes(const D& origin, const D& direc
   return {gain, gain * longer, (-to_origin) - slack, (slack - to_origin) * longer, any_lane(stands)};
 }
 
-// Whether origins in the tree's units and directions are such that they need no scaling; NaN is not: high_of gives its
+// Whether origins in the tree's units and directions are such that they need no scaling; NaN is not: maximum gives its
 // second number where either is NaN.
 template <class F>
 IRG_INLINE constexpr auto middling_axes(const F& origin, const F& direction) noexcept {
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
-  return both(high_of(magnitude(direction), magnitude(origin)) <= all(0x1p20f), magnitude(direction) >= all(0x1p-60f));
+  return both(maximum(magnitude(direction), magnitude(origin)) <= all(0x1p20f), magnitude(direction) >= all(0x1p-60f));
 }
 IRG_INLINE constexpr bool are_middling(const float (&origin)[3], const float (&direction)[3]) noexcept {
   if (std::is_constant_evaluated())
@@ -144,7 +144,7 @@ constexpr void turn_standing_axes(box_ray& b, const double (&origin)[3], const d
                                   bool is_slow) noexcept {
   constexpr float infinite = std::numeric_limits<float>::infinity(), large = 0x1p120f;
   double most = 0;
-  for (const double o : origin) most = greater(most, magnitude(o));
+  for (const double o : origin) most = maximum(most, magnitude(o));
   for (int i = 0; i < 3; ++i) {
     if (most <= 0x1p127 && magnitude(direction[i]) >= widened(standing_direction)) continue;
     const bool goes = (std::bit_cast<std::uint64_t>(direction[i]) << 1) != 0;
@@ -174,7 +174,7 @@ IRG_INLINE constexpr void set_faces(box_ray& b, const vec<T, 3>& d) noexcept {
 
 IRG_NOINLINE constexpr void set_any_box_ray(box_ray& b, const ray<double, 3>& r, double scale) noexcept {
   const vec<double, 3>& d = r.direction;
-  const double reach = greater(magnitude(d.x), greater(magnitude(d.y), magnitude(d.z)));
+  const double reach = maximum(magnitude(d.x), maximum(magnitude(d.y), magnitude(d.z)));
   int exponent = -exponent_of(reach);
   if (exponent > 1023) exponent = 1023;  // for directions of subnormal numbers
   const double size = power_of_two(exponent);
@@ -198,7 +198,7 @@ IRG_INLINE constexpr bool set_box_ray(box_ray& b, const ray<T, 3>& r, double sca
   if constexpr (std::is_same_v<T, float>) {
     constexpr std::uint32_t middling = 50;
     const auto scale_biased = static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(scale) >> 52);
-    const float low = greater(r.low, 0.0f);
+    const float low = maximum(r.low, 0.0f);
     if (scale_biased - (1023 - middling) <= 2 * middling && low <= r.high && r.low <= 0x1p100f) {
       const float s = static_cast<float>(scale);
       const vec<float, 3>& d = r.direction;
@@ -209,13 +209,13 @@ IRG_INLINE constexpr bool set_box_ray(box_ray& b, const ray<T, 3>& r, double sca
         set_faces(b, d);
         b.unit = static_cast<int>(scale_biased) - 1023;
         const float early = low * (1 - 0x1p-20f) * s, late = r.high * (1 + 0x1p-20f) * s + 0x1p-74f;
-        b.low = lesser(early, 0x1p100f);
+        b.low = minimum(early, 0x1p100f);
         b.high = late < 0x1p100f ? late : std::numeric_limits<float>::infinity();
         return true;
       }
     }
   }
-  if (is_empty(r)) return false;
+  if (r.empty()) return false;
   set_any_box_ray(b, exactly_widened(r), scale);
   return true;
 }
@@ -259,7 +259,7 @@ IRG_INLINE constexpr F time_at_face(const F& bound, const F& gain, const F& offs
 }
 
 /// A bit for each box that the ray meets not after `high`, and when it does into `times`.
-// A NaN that stands first in low_of and high_of is passed over; one that stands second takes the other limit with it,
+// A NaN that stands first in minimum and maximum is passed over; one that stands second takes the other limit with it,
 // which makes the box larger at worst.
 template <class F, box_arithmetic A>
 IRG_INLINE constexpr unsigned meet_boxes(const bvh_node& node, const wide_box_ray<F, A>& r, float high,
@@ -272,8 +272,8 @@ IRG_INLINE constexpr unsigned meet_boxes(const bvh_node& node, const wide_box_ra
     const auto distant = [&](int i) {
       return time_at_face<A>(lanes<F>::load(node.bounds + r.far_at[i] + k), r.far_gain[i], r.far_offset[i]);
     };
-    const F first = high_of(high_of(nearby(0), nearby(1)), high_of(nearby(2), r.low));
-    const F last = low_of(low_of(distant(0), distant(1)), low_of(distant(2), lanes<F>::broadcast(high)));
+    const F first = maximum(maximum(nearby(0), nearby(1)), maximum(nearby(2), r.low));
+    const F last = minimum(minimum(distant(0), distant(1)), minimum(distant(2), lanes<F>::broadcast(high)));
     lanes<F>::store(times + k, first);
     bits |= static_cast<unsigned>(mask_bits(first <= last)) << k;
   }
@@ -322,7 +322,7 @@ IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ra
   const auto pop = [&]() IRG_INLINE_LAMBDA {
     std::uint64_t next = 0;
     do {
-      if (top == walk.waiting) return bvh_node::none;
+      if (top == walk.waiting) return no_index;
       next = *--top;
     } while (high < std::bit_cast<float>(static_cast<std::uint32_t>(next >> 32)));
     return static_cast<std::uint32_t>(next);
@@ -371,7 +371,7 @@ IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, c
   std::uint32_t at = 0;
   for (;;) {
     const std::uint32_t leaf = next_leaf<F, A>(nodes, r, at, walk, counts);
-    if (leaf != bvh_node::none) {
+    if (leaf != no_index) {
       count_leaf(counts, leaf);
       visit(leaf);
     }
@@ -406,7 +406,7 @@ IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r,
                                         C& counts = not_counted) {
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
   std::uint32_t waiting[bvh_waiting + bvh_node::width];
-  waiting[0] = bvh_node::none;
+  waiting[0] = no_index;
   const float high = r.high;
   std::uint32_t* top = waiting + 1;
   std::uint32_t at = 0;
@@ -422,7 +422,7 @@ IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r,
       top += std::popcount(bits) - 1;
       at = bits != 0 ? met : waits;
     }
-    if (at != bvh_node::none) {
+    if (at != no_index) {
       count_leaf(counts, at);
       if (visit(at)) return true;
     } else if (top == waiting) {

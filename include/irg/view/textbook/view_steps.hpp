@@ -27,7 +27,7 @@ template <class T>
 /// T1 (5.2): moves the eye into the origin.
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> view_translation(const point<T, 3>& eye) noexcept {
-  auto m = identity<T, 4>();
+  auto m = identity_matrix<T, 4>();
   for (int i = 0; i < 3; ++i) m(3, i) = T(0) - eye[i];
   return m;
 }
@@ -38,7 +38,7 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> view_rotation_z(const point<T, 3>& g1) noexcept {
   const auto d = try_normalized(vec<T, 2>{g1.x, g1.y});
-  if (!d) return identity<T, 4>();
+  if (!d) return identity_matrix<T, 4>();
   return {{{d->x, T(0) - d->y, 0, 0}, {d->y, d->x, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 }
 
@@ -49,7 +49,7 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> view_rotation_y(const point<T, 3>& g2) noexcept {
   const auto d = try_normalized(vec<T, 2>{g2.z, g2.x});  // cosine, sine
-  if (!d) return identity<T, 4>();
+  if (!d) return identity_matrix<T, 4>();
   return {{{d->x, 0, d->y, 0}, {0, 1, 0, 0}, {T(0) - d->y, 0, d->x, 0}, {0, 0, 0, 1}}};
 }
 

@@ -26,11 +26,11 @@ enum class [[nodiscard]] view_status {
 /// The five steps, where they take the view point, and H.
 template <Floating T>
 struct view_steps {
-  mat<T, 4, 4> t1 = identity<T, 4>(), t2 = t1, t3 = t1, t4 = t1, t5 = t1;
+  mat<T, 4, 4> t1 = identity_matrix<T, 4>(), t2 = t1, t3 = t1, t4 = t1, t5 = t1;
   point<T, 3> g1{}, g2{}, g3{};  // the view point after T1, T2 and T3; T4 and T5 leave it
   T h{};  // the distance from the eye to the view point, where the picture plane is
   view_status status = view_status::not_finite;
-  constexpr bool operator==(const view_steps&) const = default;
+  bool operator==(const view_steps&) const = default;
 };
 
 inline namespace IRG_ABI {

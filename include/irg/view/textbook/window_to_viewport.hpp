@@ -11,6 +11,7 @@ namespace irg::textbook {
 template <Real T>
 struct edged_window {
   T left{}, top{}, width{T(1)}, height{T(1)};
+  bool operator==(const edged_window&) const = default;
 };
 
 inline namespace IRG_ABI {

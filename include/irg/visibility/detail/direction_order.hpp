@@ -62,7 +62,9 @@ template <Floating T>
 constexpr void sort_by_turn(std::vector<turned_point<T>>& list) {
   const std::size_t n = list.size();
   const double scale = static_cast<double>(n) / 4;
-  const auto drawer = [&](const turned_point<T>& p) { return lesser(static_cast<std::size_t>(p.turn * scale), n - 1); };
+  const auto drawer = [&](const turned_point<T>& p) {
+    return minimum(static_cast<std::size_t>(p.turn * scale), n - 1);
+  };
   std::vector<std::size_t> begin(n + 1, std::size_t{0});
   for (const auto& p : list) ++begin[drawer(p) + 1];
   for (std::size_t i = 0; i < n; ++i) begin[i + 1] += begin[i];

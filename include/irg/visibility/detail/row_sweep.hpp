@@ -94,8 +94,8 @@ public:
     const grid_extent e = t.map->extent();
     right_ = t.sign_x > 0 ? e.width - 1 - t.viewer.x : t.viewer.x;
     rows_ = t.sign_y > 0 ? e.height - 1 - t.viewer.y : t.viewer.y;
-    right_ = lesser(right_, t.radius);
-    rows_ = lesser(rows_, t.radius);
+    right_ = minimum(right_, t.radius);
+    rows_ = minimum(rows_, t.radius);
   }
 
   /// needs   nothing in the way in the rows before the one it begins with
@@ -115,7 +115,7 @@ public:
         if (first > right_) break;
         step_row(g.low);
         step_row(g.high);
-        const std::int64_t last = lesser(right_, g.high.x + g.high.dx + 2), b = next_blocker(y, first, last);
+        const std::int64_t last = minimum(right_, g.high.x + g.high.dx + 2), b = next_blocker(y, first, last);
         if (b <= last) {
           cross_row(g, y, first, last, b);
           continue;
@@ -152,21 +152,21 @@ private:
   // The first column from x to last with a cell or a wall to its right that blocks; last + 1 when there is none.
   constexpr std::int64_t next_blocker(std::int64_t y, std::int64_t x, std::int64_t last) const noexcept {
     const std::int64_t b = find_blocker(y, x, last);
-    if constexpr (has_looked) emit_.looked(y, x, lesser(b, last));
+    if constexpr (has_looked) emit_.looked(y, x, minimum(b, last));
     return b;
   }
   constexpr std::int64_t find_blocker(std::int64_t y, std::int64_t x, std::int64_t last) const noexcept {
     for (; x <= last; x += 64) {
       std::uint64_t b = full(y, x);
       if (walled_) b |= bits(task_.map->blocking(0), y, x, 0);
-      if (b != 0) return lesser(x + std::countr_zero(b), last + 1);
+      if (b != 0) return minimum(x + std::countr_zero(b), last + 1);
     }
     return last + 1;
   }
   // The last of the full cells from x on without a gap, last at most.
   constexpr std::int64_t run_end(std::int64_t y, std::int64_t x, std::int64_t last) const noexcept {
     for (; x <= last; x += 64)
-      if (const std::uint64_t empty = ~full(y, x); empty != 0) return lesser(x + std::countr_zero(empty) - 1, last);
+      if (const std::uint64_t empty = ~full(y, x); empty != 0) return minimum(x + std::countr_zero(empty) - 1, last);
     return last;
   }
   // Whether light passes the corner between the cell (x, y) and (x + 1, y + 1).
@@ -191,9 +191,9 @@ private:
     const std::int64_t b = next_blocker(0, 0, right_);
     sweep_slope high{2 * right_ + 2, 1, true};
     if constexpr (has_light)
-      emit_.light(0, 0, lesser(b, right_), sweep_slope{}, sweep_slope{1, 0, true});
+      emit_.light(0, 0, minimum(b, right_), sweep_slope{}, sweep_slope{1, 0, true});
     else
-      emit_centres(0, 0, lesser(b, right_));
+      emit_centres(0, 0, minimum(b, right_));
     if (b <= right_) {
       const bool cell_blocks = is_full_at(0, b);
       high = {cell_blocks ? 2 * b - 1 : 2 * b + 1, 1, corner_lets(cell_blocks ? b - 1 : b, 0)};
@@ -210,14 +210,14 @@ private:
     if constexpr (has_light) {
       emit_.light(y, first, last, low.slope, high.slope);
     } else {
-      last = lesser(last, last_column(high));
+      last = minimum(last, last_column(high));
       if (first > last) return;
-      if (counted) return emit_centres(y, greater(first, first_column(low)), last);
+      if (counted) return emit_centres(y, maximum(first, first_column(low)), last);
       const sweep_slope centre{first, y, true};
       const std::int64_t c = compare(low.slope, centre);
       if (c > 0 || (c == 0 && !low.slope.closed)) {
         if (first == last) return;
-        first = greater(first, first_column(end_at(low.slope, y)));
+        first = maximum(first, first_column(end_at(low.slope, y)));
       }
       emit_centres(y, first, last);
     }
@@ -230,7 +230,7 @@ private:
     sweep_end low = g.low;
     bool counted = true;  // whether low knows its column
     for (std::int64_t x = first;; b = next_blocker(y, x, last)) {
-      emit_between(y, x, lesser(b, last), low, counted, g.high);
+      emit_between(y, x, minimum(b, last), low, counted, g.high);
       if (b > last) break;
       const bool cell_blocks = is_full_at(y, b);
       sweep_slope before{cell_blocks ? 2 * b - 1 : 2 * b + 1, 2 * y + 1, true};
@@ -244,7 +244,7 @@ private:
       if (!has_light && cell_blocks) {  // of cells side by side, those that are reached from the row below are seen
         q = run_end(y, b, last);
         if constexpr (has_looked) emit_.looked(y, b, q);
-        emit_between(y, b + 1, lesser(q, y - 1), low, counted, g.high);
+        emit_between(y, b + 1, minimum(q, y - 1), low, counted, g.high);
         if (b < y && y <= q && corner_lets(y - 1, y - 1)) emit_between(y, y, y, low, counted, g.high);
       }
       sweep_slope after{2 * q + 1, 2 * y - 1, true};
@@ -266,7 +266,7 @@ private:
     next_.clear();
     for (const open_sector& g : now_) {
       sweep_end low = g.low;
-      const std::int64_t last = lesser(right_, g.high.x + g.high.dx + 2);
+      const std::int64_t last = minimum(right_, g.high.x + g.high.dx + 2);
       bool blocked = false;
       for (std::int64_t x = g.low.x; x <= last && !blocked; ++x) {
         if ((bits(task_.map->blocking(1), y, x, 1) & 1) == 0) continue;

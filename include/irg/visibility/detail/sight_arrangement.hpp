@@ -281,8 +281,9 @@ template <Floating T>
 constexpr int side_beside(const sight_arrangement<T>& parts, std::uint32_t edge, const point<T, 2>& u,
                           const point<T, 2>& v) noexcept {
   const plane_vertex<T>& from = parts.vertices[parts.edges[edge].origin];
-  const int side = from.is_given ? orient2d(u, v, from.at)
-                                 : side_of_crossing(from.first, from.second, segment<T, 2>{u, v}).value_or(0);
+  const int side =
+      from.is_given ? orient2d(u, v, from.at)
+                    : sign_of(side_of_crossing(from.first, from.second, segment<T, 2>{u, v}).value_or(irg::side::on));
   if (side != 0) return side;
   const segment<T, 2> way = direction_of(parts, parts.edges[edge]);
   const int turn = turn_between(segment<T, 2>{u, v}, way);

@@ -79,7 +79,7 @@ struct sight_tally {
     if (a == at_source || b == at_source) return;
     ++pairs;
     if (outcome == 2 || outcome == -2) ++crossings;
-    if (was_compared.size() <= greater(a, b)) was_compared.resize(greater(a, b) + std::size_t{1}, std::uint8_t{0});
+    if (was_compared.size() <= maximum(a, b)) was_compared.resize(maximum(a, b) + std::size_t{1}, std::uint8_t{0});
     was_compared[a] = was_compared[b] = 1;
   }
 };
@@ -173,7 +173,7 @@ constexpr int crossing_after(const sight_envelope<T, Tally>& s, std::uint32_t a,
                              std::uint32_t rank) noexcept {
   const auto &e = s.edges[a], &f = s.edges[b];
   const segment<T, 2> ray{s.source, s.towards[rank == ranks(s) ? 0 : rank]};
-  return *side_of_crossing(segment<T, 2>{e.a, e.b}, segment<T, 2>{f.a, f.b}, ray);
+  return sign_of(*side_of_crossing(segment<T, 2>{e.a, e.b}, segment<T, 2>{f.a, f.b}, ray));
 }
 
 // Negative when p comes before q, positive when after it, 0 when they are one.

@@ -256,9 +256,9 @@ private:
   constexpr std::size_t triangle_of(std::span<const point<T, 3>> corners) noexcept {
     double size = 0;
     for (const auto& p : corners)
-      for (int i = 0; i < 3; ++i) size = greater(size, magnitude(half_way(corners[0], p, i)));
+      for (int i = 0; i < 3; ++i) size = maximum(size, magnitude(half_way(corners[0], p, i)));
     // Areas are products of four ways, which have to be near 1 for that.
-    const double scale = size > 0 ? power_of_two(lesser(1023, -exponent_of(size))) : 1;
+    const double scale = size > 0 ? power_of_two(minimum(1023, -exponent_of(size))) : 1;
     double whole = 0;
     for (std::size_t k = 1; k + 1 < corners.size(); ++k) whole += area(corners, k, scale);
     double rest = whole * unit();

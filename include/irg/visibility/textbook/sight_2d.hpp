@@ -20,6 +20,7 @@ enum class corner_case { both, as_printed };
 struct sight_list_result {
   sight seen = sight::blocked;
   std::vector<cell> cells{};
+  bool operator==(const sight_list_result&) const = default;
 };
 
 }  // namespace irg::textbook

@@ -82,7 +82,7 @@ constexpr void sight_heights_as_printed(const cell3& a, const cell3& b, Emit&& s
   if (!(distance > 0)) return;  // the printed slope is 0/0 or x/0
   const double slope = up / distance;
   double d = slope - 0.5;
-  for (double i = 0; i < greater(width, height); i += 1) {
+  for (double i = 0; i < maximum(width, height); i += 1) {
     if (distance > up) {
       if (d > 0) {
         z += sign;

@@ -21,6 +21,7 @@ enum class sight_saving {
 struct sight_search_result {
   cell_grid seen;
   std::int64_t calls = 0;
+  bool operator==(const sight_search_result&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -22,6 +22,7 @@ struct sight_step {
   cell at, next, ahead, aside;
   std::int64_t distance = 0;
   passage through = passage::none;
+  bool operator==(const sight_step&) const = default;
 };
 
 inline namespace IRG_ABI {

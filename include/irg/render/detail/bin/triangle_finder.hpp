@@ -126,10 +126,10 @@ struct cull_kernel {
     const integers y_first = first_centre(boxes.top), y_last = last_centre(boxes.bottom);
     const unsigned tiny =
         alive & (mask_bits(area == zero) | mask_bits(x_first >= x_last) | mask_bits(y_first >= y_last));
-    const integers seen_x_first = high_of(x_first, J::broadcast(picture.x_first)),
-                   seen_x_last = low_of(x_last, J::broadcast(picture.x_last)),
-                   seen_y_first = high_of(y_first, J::broadcast(picture.y_first)),
-                   seen_y_last = low_of(y_last, J::broadcast(picture.y_last));
+    const integers seen_x_first = maximum(x_first, J::broadcast(picture.x_first)),
+                   seen_x_last = minimum(x_last, J::broadcast(picture.x_last)),
+                   seen_y_first = maximum(y_first, J::broadcast(picture.y_first)),
+                   seen_y_last = minimum(y_last, J::broadcast(picture.y_last));
     const unsigned unseen =
         alive & ~tiny & (mask_bits(seen_x_first >= seen_x_last) | mask_bits(seen_y_first >= seen_y_last));
     if (skip.tiny == skipping::on)
@@ -222,7 +222,7 @@ struct picture_tiles {
   }
   IRG_INLINE constexpr cell_window window(std::size_t tile) const noexcept {
     const int x = static_cast<int>(tile) % across * tile_size, y = static_cast<int>(tile) / across * tile_size;
-    return {x, y, lesser(x + tile_size, width), lesser(y + tile_size, height)};
+    return {x, y, minimum(x + tile_size, width), minimum(y + tile_size, height)};
   }
 };
 
@@ -277,8 +277,8 @@ IRG_INLINE constexpr void list_box(Portion& p, std::uint32_t number, const cell_
     return list(x_first, y_first, box.x_last - box.x_first, box.y_last - box.y_first);
   for (int y = y_first; y <= y_last; ++y)
     for (int x = x_first; x <= x_last; ++x)
-      list(x, y, lesser(box.x_last, (x + 1) * tile_size) - greater(box.x_first, x * tile_size),
-           lesser(box.y_last, (y + 1) * tile_size) - greater(box.y_first, y * tile_size));
+      list(x, y, minimum(box.x_last, (x + 1) * tile_size) - maximum(box.x_first, x * tile_size),
+           minimum(box.y_last, (y + 1) * tile_size) - maximum(box.y_first, y * tile_size));
 }
 
 // What becomes of a triangle on the screen: of several pieces' fates the greatest counts.
@@ -286,9 +286,9 @@ enum class listing { tiny, out_of_sight, listed };
 
 // The pixels that the box of three vertices touches, be it with their centres or not.
 IRG_INLINE constexpr cell_window pixels_touched(const subpixel& a, const subpixel& b, const subpixel& c) noexcept {
-  return {lesser(lesser(a.x, b.x), c.x) >> subpixel_bits, lesser(lesser(a.y, b.y), c.y) >> subpixel_bits,
-          (greater(greater(a.x, b.x), c.x) >> subpixel_bits) + 1,
-          (greater(greater(a.y, b.y), c.y) >> subpixel_bits) + 1};
+  return {minimum(minimum(a.x, b.x), c.x) >> subpixel_bits, minimum(minimum(a.y, b.y), c.y) >> subpixel_bits,
+          (maximum(maximum(a.x, b.x), c.x) >> subpixel_bits) + 1,
+          (maximum(maximum(a.y, b.y), c.y) >> subpixel_bits) + 1};
 }
 
 // Lists one triangle, or says why not. Where tiny triangles are not skipped, they go through coverage to no effect.
@@ -329,7 +329,7 @@ constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T
     const clipped_piece piece{{a, b, c}, weights, source};
     const listing l = list_triangle(p, number, corners_of(piece.v), face.coverage.double_area, rules);
     if (l == listing::listed) p.pieces.push_back(piece);
-    result = greater(result, l);
+    result = maximum(result, l);
     holds_centres |= !intersect(face.coverage.bounds, {0, 0, rules.grid.width, rules.grid.height}).empty();
   }
   p.clipped += holds_centres ? 1 : 0;
@@ -476,7 +476,7 @@ constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch
       bin_portion& p = bins.portions[used];
       p.batch = b;
       p.first = first;
-      p.last = lesser(first + portion, count);
+      p.last = minimum(first + portion, count);
       p.skipped = {};
       p.listed = p.clipped = 0;
     }
@@ -540,7 +540,7 @@ struct corner_lanes {
                                               int used) noexcept {
     if (used == N) return collect(find, lanes<integers>::load_bytes(numbers));
     return collect(
-        find, gather<std::int32_t>(numbers, low_of(lanes<integers>::ramp(), lanes<integers>::broadcast(used - 1))));
+        find, gather<std::int32_t>(numbers, minimum(lanes<integers>::ramp(), lanes<integers>::broadcast(used - 1))));
   }
 
   // gives   the batch that all are of, with their indices of vertices; null when there is a piece, or several batches

@@ -54,7 +54,7 @@ IRG_INLINE constexpr mask_interval<T> divide_interval(const mask_interval<T>& a,
 // vertex may amount to: half a step, and 2^15 pixels times some roundings of a float.
 template <class T>
 IRG_INLINE constexpr std::int32_t mask_coordinate(const T& v, int size, std::int32_t outwards) noexcept {
-  return snap(clamp(v, T(-1), static_cast<T>(size + 1))) + outwards;
+  return snap(clamped(v, T(-1), static_cast<T>(size + 1))) + outwards;
 }
 
 // The rectangle of a box. All that lies in the box and is projected by the same matrix in T lands in it.
@@ -72,7 +72,7 @@ constexpr mask_rectangle project_box(const box<T, 3>& b, const mat<T, 4, 4>& to_
   for (int r = 0; r < 4; ++r) {
     T sum = absolute(to_clip(r, 3));
     for (int k = 0; k < 3; ++k)
-      sum = sum + product(absolute(to_clip(r, k)), greater(absolute(b.low[k]), absolute(b.high[k])));
+      sum = sum + product(absolute(to_clip(r, k)), maximum(absolute(b.low[k]), absolute(b.high[k])));
     slack[r] = product(sum, T(8) * unit);
   }
   const T infinity = std::numeric_limits<T>::infinity();
@@ -95,7 +95,7 @@ constexpr mask_rectangle project_box(const box<T, 3>& b, const mat<T, 4, 4>& to_
     const auto widen = [&](mask_interval<T>& all, const mask_interval<T>& v) {
       const mask_interval<T> q = divide_interval(v, pw);
       if (!(q.low >= -infinity && q.high <= infinity)) before = true;
-      all = {lesser(all.low, q.low), greater(all.high, q.high)};
+      all = {minimum(all.low, q.low), maximum(all.high, q.high)};
     };
     widen(x, px);
     widen(y, py);

@@ -170,8 +170,8 @@ IRG_NOINLINE bool prepare_small(const attribute_source<T, Shading>& p, small_att
   const edge_lanes<tile_lanes> edges(s.c.x, s.c.y, s.double_area);
   // F at the first pixel of the box, where nothing overflows, and from there at the tile's first.
   const auto first_of = [](const tile_integers(&v)[3], int least, int most) {
-    const tile_integers low = low_of(low_of(v[0], v[1]), v[2]);
-    return low_of(high_of(low >> subpixel_bits, J::broadcast(least)), J::broadcast(most));
+    const tile_integers low = minimum(minimum(v[0], v[1]), v[2]);
+    return minimum(maximum(low >> subpixel_bits, J::broadcast(least)), J::broadcast(most));
   };
   const cell_window& w = p.window;
   const tile_integers column = first_of(s.c.x, w.x_first, w.x_last), row = first_of(s.c.y, w.y_first, w.y_last);
@@ -421,11 +421,11 @@ template <class T, class Shading, class Colour>
 IRG_INLINE void shade_listed(const attribute_pass<T, Shading, Colour>& p, run_list& runs) {
   for (int y = 0; y < tile_size; ++y) runs.row_number[y] = lanes<tile_floats>::broadcast(static_cast<float>(y));
   for (std::uint32_t first = 0; first < runs.triangles; first += tile_lanes) {
-    const std::uint32_t used = lesser(runs.triangles - first, std::uint32_t{tile_lanes});
+    const std::uint32_t used = minimum(runs.triangles - first, std::uint32_t{tile_lanes});
     tile_integers number;
     for (std::uint32_t i = 0; i < tile_lanes; ++i)
       set_lane(number, static_cast<int>(i),
-               static_cast<std::int32_t>(p.of.numbers[runs.place[first + lesser(i, used - 1)]]));
+               static_cast<std::int32_t>(p.of.numbers[runs.place[first + minimum(i, used - 1)]]));
     small_attributes<Shading> group;
     const bool all_small = prepare_small(p.of, group, number);
     for (std::uint32_t i = 0; i < used; ++i) {

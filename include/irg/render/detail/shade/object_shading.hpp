@@ -98,7 +98,7 @@ struct IRG_APART phong_pixel_shader {
   template <int N>
     requires std::same_as<T, double>
   struct collected {
-    using f = lanes<pack<double, lesser(N, native_lanes<double>)>>;
+    using f = lanes<pack<double, minimum(N, native_lanes<double>)>>;
     static constexpr int parts = N / f::count;
     alignas(64) double coordinate[6][static_cast<unsigned>(N)];
     const phong_lanes<T>* light = nullptr;
@@ -228,7 +228,8 @@ private:
   template <class F>
   static constexpr void for_portions(const executor_ref& executor, std::size_t count, const F& f) {
     constexpr std::size_t portion = 1024;
-    executor((count + portion - 1) / portion, [&](std::size_t k) { f(k * portion, lesser((k + 1) * portion, count)); });
+    executor((count + portion - 1) / portion,
+             [&](std::size_t k) { f(k * portion, minimum((k + 1) * portion, count)); });
   }
 };
 

@@ -119,9 +119,10 @@ struct shade_by_triangle {
     const cell_window& w = v.window;
     for (int by = w.y_first; by < w.y_last; by += block_size) {
       pixel_of<Colour>* rows[block_size]{};
-      for (int y = by; y < lesser(by + block_size, w.y_last); ++y) rows[y - by] = raster_traits<Colour>::row(colour, y);
+      for (int y = by; y < minimum(by + block_size, w.y_last); ++y)
+        rows[y - by] = raster_traits<Colour>::row(colour, y);
       for (int x = w.x_first; x < w.x_last; x += count)
-        for (int y = by; y < lesser(by + block_size, w.y_last); ++y) {
+        for (int y = by; y < minimum(by + block_size, w.y_last); ++y) {
           const int at = (y - w.y_first) * tile_stride + (x - w.x_first);
           const integers places = load_places<integers>(v.place + at);
           unsigned pending = ~mask_bits(places == J::broadcast(-1)) & ((1u << count) - 1);
@@ -155,7 +156,7 @@ private:
     std::optional<shading_setup<shader_type>> setup[count]{};
 
     constexpr kept_setups() noexcept {
-      for (std::uint32_t& p : place) p = no_face;
+      for (std::uint32_t& p : place) p = no_index;
     }
     IRG_INLINE constexpr const shading_setup<shader_type>& of(const shade_by_triangle& shade, std::uint32_t wanted) {
       const std::uint32_t i = wanted % count;

@@ -36,11 +36,11 @@ struct IRG_APART convex_bodies {
 
 inline namespace IRG_ABI {
 
-// The place in a tile's list of the triangle that has this number and covers a pixel, and its depth there; no_face
+// The place in a tile's list of the triangle that has this number and covers a pixel, and its depth there; no_index
 // where there is none. Of pieces the nearest: where snapping turned one round, two others may cover a centre. Lists are
 // in the order of sources.
 struct place_and_depth {
-  std::uint32_t place = no_face;
+  std::uint32_t place = no_index;
   float depth = 0;
   covered_triangle t{};
 };
@@ -63,7 +63,7 @@ constexpr place_and_depth place_of(std::uint32_t id, int x, int y, std::span<con
     const covered_triangle t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
     if (!covers(t.coverage, x, y)) continue;
     const float depth = depth_at(t.setup, x, y);
-    if (nearest.place == no_face ||
+    if (nearest.place == no_index ||
         is_seen_before<Order>({numbers[first], depth}, {numbers[nearest.place], nearest.depth}, {x, y}, find))
       nearest = {static_cast<std::uint32_t>(first), depth, t};
   }
@@ -75,27 +75,27 @@ constexpr place_and_depth place_of(std::uint32_t id, int x, int y, std::span<con
 template <class Order, class T, class Ids>
 constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const std::uint32_t> numbers,
                            const triangle_finder<T>& find, const cell_window& w) {
-  std::uint32_t last_id = no_face;
+  std::uint32_t last_id = no_index;
   place_and_depth last;
   for (int y = w.y_first; y < w.y_last; ++y)
     for (int x = w.x_first; x < w.x_last; ++x) {
       const std::uint32_t id = get_pixel(ids, x, y);
-      if (id == no_face) continue;
-      if (id == last_id && last.place != no_face && !find.is_piece(numbers[last.place]) &&
+      if (id == no_index) continue;
+      if (id == last_id && last.place != no_index && !find.is_piece(numbers[last.place]) &&
           covers(last.t.coverage, x, y))
         last.depth = depth_at(last.t.setup, x, y);
       else
         last = place_of<Order>(id, x, y, numbers, find);
       last_id = id;
-      if (last.place == no_face || !Order::nearer(last.depth, Order::farthest)) continue;
+      if (last.place == no_index || !Order::nearer(last.depth, Order::farthest)) continue;
       const std::size_t at = visible_pixels::at(w, x, y);
       out.place[at] = last.place;
       out.key[at] = last.depth;
     }
 }
 
-// Tiles whose ids another method finds. `ids` belongs to the picture, all no_face before. Where `bodies` are given, the
-// method is not asked about tiles that show one convex body alone.
+// Tiles whose ids another method finds. `ids` belongs to the picture, all no_index before. Where `bodies` are given,
+// the method is not asked about tiles that show one convex body alone.
 template <class Order, class Method>
 struct method_tiles {
   const Method& method;
@@ -127,7 +127,7 @@ struct method_tiles {
     for (int y = w.y_first; y < w.y_last; ++y)
       for (int x = w.x_first; x < w.x_last; ++x) {
         const std::size_t at = visible_pixels::at(w, x, y);
-        if (pixels.place[at] != no_face) set_pixel(depth, x, y, pixels.key[at]);
+        if (pixels.place[at] != no_index) set_pixel(depth, x, y, pixels.key[at]);
       }
     counts.shaded = finish(visible_window{pixels.place.data(), pixels.key.data(), 1.0f, numbers, w}, find);
     return counts;

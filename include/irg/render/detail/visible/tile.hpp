@@ -83,14 +83,14 @@ IRG_INLINE void refresh_farthest(tile& t) noexcept {
   using F = lanes<tile_floats>;
   auto least = F::load(t.farthest_key);
   for (int i = tile_lanes; i < blocks_across * blocks_across; i += tile_lanes)
-    least = low_of(F::load(t.farthest_key + i), least);
-  t.farthest = least_of(least);
+    least = minimum(F::load(t.farthest_key + i), least);
+  t.farthest = reduce_min(least);
 }
 
 // What is at this key is not seen.
 IRG_INLINE void hide_key(tile& t, float key) noexcept {
   for (int i = 0; i < tile_size * tile_stride; ++i)
-    if (t.key[i] == key) t.id[i] = no_face;
+    if (t.key[i] == key) t.id[i] = no_index;
 }
 
 // The least key of a block.
@@ -99,8 +99,8 @@ IRG_INLINE float farthest_of_block(const tile& t, int block) noexcept {
   const float* row = t.key + block / blocks_across * block_size * tile_stride + block % blocks_across * block_size;
   auto least = F::load(row);
   for (int r = 0; r < block_size; ++r, row += tile_stride)
-    for (int k = 0; k < block_size; k += tile_lanes) least = low_of(F::load(row + k), least);
-  return least_of(least);
+    for (int k = 0; k < block_size; k += tile_lanes) least = minimum(F::load(row + k), least);
+  return reduce_min(least);
 }
 
 // Reckons `farthest_key` anew for the stale blocks, and `farthest`.

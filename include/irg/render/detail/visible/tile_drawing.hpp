@@ -68,7 +68,7 @@ IRG_NOINLINE void decide_close(tile_pass<T>& p, std::uint32_t place, float key, 
   const bool at_farthest = key == p.farthest_key;
   if (key == stored) ++p.ties;
   bool is_seen = stored < key || (at_farthest && key == stored);
-  if (other != no_face) {
+  if (other != no_index) {
     const numbered_depth a{p.numbers[place], key * sign}, b{p.numbers[other], stored * sign};
     const cell pixel{p.window.x_first + at % tile_stride, p.window.y_first + at / tile_stride};
     is_seen = sign < 0 ? is_seen_before<nearer_is_less>(a, b, pixel, p.find)
@@ -147,7 +147,7 @@ IRG_INLINE void draw_small(tile_pass<T>& p, const group_lanes& g, const tile_int
 template <class T>
 IRG_NOINLINE void note_both_signs(tile_pass<T>& p, const group_lanes& g) noexcept {
   for (int i = 0; i < tile_lanes; ++i)
-    if (g.low[i] < 0 && 0 < g.high[i]) p.of_both_signs = greater(p.of_both_signs, g.slack[i]);
+    if (g.low[i] < 0 && 0 < g.high[i]) p.of_both_signs = maximum(p.of_both_signs, g.slack[i]);
 }
 
 // Edges, depths and boxes. Of triangles that are not narrow, only the boxes have a meaning.
@@ -157,7 +157,7 @@ IRG_INLINE void set_up_lanes(tile_pass<T>& p, group_lanes& g, const corner_lanes
   using J = lanes<tile_integers>;
   using F = lanes<tile_floats>;
   const auto within = [](const tile_integers& v, int least, int end) {
-    return low_of(high_of(v, J::broadcast(least)), J::broadcast(end));
+    return minimum(maximum(v, J::broadcast(least)), J::broadcast(end));
   };
   const cell_window& w = p.window;
   const tile_integers x_first = within(first_centre(boxes.left), w.x_first, w.x_last),
@@ -178,9 +178,9 @@ IRG_INLINE void set_up_lanes(tile_pass<T>& p, group_lanes& g, const corner_lanes
   }
   g.rest = (part[0] + (part[1] + part[2])) * sign;
   const tile_floats key0 = c.depth[0] * sign, key1 = c.depth[1] * sign, key2 = c.depth[2] * sign;
-  g.low = low_of(low_of(key0, key1), key2);
-  g.high = high_of(high_of(key0, key1), key2);
-  g.slack = slack_of(high_of(g.high, F::broadcast(0) - g.low));
+  g.low = minimum(minimum(key0, key1), key2);
+  g.high = maximum(maximum(key0, key1), key2);
+  g.slack = slack_of(maximum(g.high, F::broadcast(0) - g.low));
   if (mask_bits(both(g.low < F::broadcast(0), F::broadcast(0) < g.high)) != 0) [[unlikely]]
     note_both_signs(p, g);
   g.x_first = x_first - J::broadcast(w.x_first);
@@ -248,7 +248,7 @@ IRG_INLINE tile_rest draw_ready(tile_pass<T>& p, const tile_triangle<J>& t, cons
     std::uint64_t touched = 0;
     for (int by = box.y_first / block_size; by * block_size < box.y_last; ++by)
       for (int bx = box.x_first / block_size; bx * block_size < box.x_last; ++bx) {
-        farthest = lesser(farthest, out.farthest_key[by * blocks_across + bx]);
+        farthest = minimum(farthest, out.farthest_key[by * blocks_across + bx]);
         touched |= std::uint64_t{1} << (by * blocks_across + bx);
       }
     if (t.high[0] + t.slack[0] < farthest) return {};
@@ -378,7 +378,7 @@ IRG_INLINE void fetch_ahead(const tile_pass<T>& p, std::size_t first) noexcept {
   const triangle_batch<T>& batch = p.find.batches[0];
   const screen_vertex* const screen = batch.vertices->screen.data();
   const auto named = [&](std::size_t i) {  // for a piece any triangle will do
-    return batch.triangles.data() + lesser(p.numbers[i], p.find.bins->triangle_count - 1);
+    return batch.triangles.data() + minimum(p.numbers[i], p.find.bins->triangle_count - 1);
   };
   for (std::size_t i = first; i < first + tile_lanes; ++i) {
     prefetch(named(i + indices_ahead));
@@ -389,8 +389,8 @@ IRG_INLINE void fetch_ahead(const tile_pass<T>& p, std::size_t first) noexcept {
 // Moves the counts from the lanes to where they cannot overflow.
 template <class T>
 IRG_INLINE void add_counts(tile_pass<T>& p) noexcept {
-  p.tested += total(p.counts.tested);
-  p.ties += total(p.counts.ties);
+  p.tested += reduce_add(p.counts.tested);
+  p.ties += reduce_add(p.counts.ties);
   p.counts = {lanes<tile_integers>::broadcast(0), lanes<tile_integers>::broadcast(0)};
 }
 
@@ -405,8 +405,8 @@ IRG_NOINLINE void draw_list(tile_pass<T>& p) noexcept {
     group_state state[groups];
     int used[groups];
     for (std::size_t k = 0; k < groups; ++k) {
-      const std::size_t from = lesser(first + k * tile_lanes, p.numbers.size());
-      used[k] = static_cast<int>(lesser(p.numbers.size() - from, std::size_t{tile_lanes}));
+      const std::size_t from = minimum(first + k * tile_lanes, p.numbers.size());
+      used[k] = static_cast<int>(minimum(p.numbers.size() - from, std::size_t{tile_lanes}));
       fetch_ahead(p, from);
       if (used[k] > 0) state[k] = set_up_group<Test>(p, g[k], from, used[k]);
     }

@@ -112,19 +112,19 @@ std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers,
   auto least = F::broadcast(beyond_everything), greatest = F::broadcast(-beyond_everything);
   for (std::size_t i = 0; i < size; i += count) {
     corner_lanes<count> c;
-    c.collect(find, numbers.data() + i, static_cast<int>(lesser(size - i, std::size_t{count})));
+    c.collect(find, numbers.data() + i, static_cast<int>(minimum(size - i, std::size_t{count})));
     const auto of = [&](int k) { return c.depth[k] * F::broadcast(sign); };
-    const auto nearest = high_of(high_of(of(0), of(1)), of(2));
+    const auto nearest = maximum(maximum(of(0), of(1)), of(2));
     F::store(key.data() + i, nearest);
-    least = low_of(nearest, least);
-    greatest = high_of(nearest, greatest);
+    least = minimum(nearest, least);
+    greatest = maximum(nearest, greatest);
   }
-  const float front = -least_of(F::broadcast(0.0f) - greatest), range = front - least_of(least);
+  const float front = -reduce_min(F::broadcast(0.0f) - greatest), range = front - reduce_min(least);
   const float scale = 0.0f < range ? 255.0f / range : 0.0f;
   std::vector<std::uint8_t> bucket(size);
   std::uint32_t start[257] = {};
   for (std::size_t i = 0; i < size; ++i) {
-    bucket[i] = static_cast<std::uint8_t>(clamp((front - key[i]) * scale, 0.0f, 255.0f));
+    bucket[i] = static_cast<std::uint8_t>(clamped((front - key[i]) * scale, 0.0f, 255.0f));
     ++start[bucket[i] + 1];
   }
   for (int b = 0; b < 256; ++b) start[b + 1] += start[b];
@@ -194,7 +194,7 @@ IRG_INLINE constexpr void clear_window(R& raster, const cell_window& w, const pi
 }
 
 // How many triangles there were, and why some were not drawn.
-constexpr void add_skips(render_stats& stats, const triangle_bins& bins, std::span<const std::uint8_t> seen,
+constexpr void add_skips(render_counts& stats, const triangle_bins& bins, std::span<const std::uint8_t> seen,
                          const skip_options& skip) noexcept {
   stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
   stats.skipped = bins.skipped;
@@ -324,8 +324,8 @@ using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ?
 
 // All tiles. What is seen is the method's affair, what becomes of it finish's.
 template <class T, class Method, class Depth>
-constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job,
-                                  const tile_finish<T>& finish, const executor_ref& executor) {
+constexpr render_counts draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job,
+                                   const tile_finish<T>& finish, const executor_ref& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
   triangle_bins& bins = job.lists.bins;
   bin_triangles(bins, job.batches, {job.mapping, grid, job.culling, job.skip}, executor);
@@ -340,7 +340,7 @@ constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile
       if (job.depth == depth_result::kept) clear_window(depth, w, method.farthest());
     }
   });
-  render_stats stats;
+  render_counts stats;
   for (const draw_counts& c : done) stats.pixels += c;
   stats.drawn = stats.pixels.shaded;
   add_skips(stats, bins, job.lists.seen, job.skip);

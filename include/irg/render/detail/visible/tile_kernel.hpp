@@ -105,7 +105,7 @@ IRG_INLINE void tile_pixels(const tile_triangle<J>& t, const J (&f)[3], const pi
   mask drawn = inside;
   if constexpr (Test != tile_test::nearer) drawn = both(inside, stored < F::broadcast(beyond_everything));
   tested = tested - drawn;
-  if constexpr (Test == tile_test::depth_only) return F::store(at.key, select(drawn, high_of(key, stored), stored));
+  if constexpr (Test == tile_test::depth_only) return F::store(at.key, select(drawn, maximum(key, stored), stored));
   if constexpr (Test == tile_test::nearer) {
     const auto ahead = key - stored;  // beside the picture infinitely far behind
     drawn = both(inside, t.slack < ahead);
@@ -172,7 +172,7 @@ IRG_INLINE tile_rest tile_rows(tile& out, const tile_triangle<J>& t, const cell_
   mask tested = counts.tested, close = lanes<mask>::broadcast(0);
   int x_first = box.x_first;
   if (Test == tile_test::nearer && box.x_last == out.width) [[unlikely]]
-    x_first = greater(out.width - (out.width - x_first + (lane_count - 1)) / lane_count * lane_count, 0);
+    x_first = maximum(out.width - (out.width - x_first + (lane_count - 1)) / lane_count * lane_count, 0);
   for (int x = x_first; x < box.x_last; x += lane_count) {
     const auto steps = static_cast<typename tile_triangle<J>::integer>(x - box.x_first);
     J f[3];
@@ -205,7 +205,7 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<J>&
   const int bx_first = box.x_first / block_size, bx_last = (box.x_last - 1) / block_size + 1;
   const int by_first = box.y_first / block_size, by_last = (box.y_last - 1) / block_size + 1;
   const auto zero = F::broadcast(0), last = F::broadcast(block_size - 1);
-  const auto absolute = [&](const pack<float, lane_count>& v) { return high_of(v, zero - v); };
+  const auto absolute = [&](const pack<float, lane_count>& v) { return maximum(v, zero - v); };
   const auto across = F::broadcast(static_cast<float>((bx_last - bx_first) * block_size)),
              along = F::broadcast(static_cast<float>((by_last - by_first) * block_size));
   // The greatest F in each block of a row; and the depth at the first block's first pixel, and its slopes.
@@ -231,7 +231,7 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<J>&
   // The nearest that the plane comes within a block, and as much nearer as rounding may amount to, here and where the
   // keys of pixels are computed. Of subnormal numbers each product loses up to 2^-150, those of slopes times the pixels
   // of a tile: less than 2^-140 together, and slack is more.
-  const auto rise = high_of(slope_right, zero) * last + high_of(slope_down, zero) * last;
+  const auto rise = maximum(slope_right, zero) * last + maximum(slope_down, zero) * last;
   const auto nearest_first =
       ((start[0] + t.rest) + (start[1] + start[2])) + (rise + (size * F::broadcast(0x1p-18f) + t.slack));
   pack<float, lane_count> nearest[static_cast<unsigned>(chunks)];
@@ -246,7 +246,7 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<J>&
       auto seen = none_negative(greatest[c][0], greatest[c][1], greatest[c][2]);
       const int block = by * blocks_across + c * lane_count;
       if (by_depth)  // no pixel is nearer than the nearest vertex, nor farther than the farthest one
-        seen = both(seen, low_of(high, high_of(low, nearest[c])) >= F::load(out.farthest_key + block));
+        seen = both(seen, minimum(high, maximum(low, nearest[c])) >= F::load(out.farthest_key + block));
       blocks |= std::uint64_t{mask_bits(seen)} << block;
       for (int i = 0; i < 3; ++i) greatest[c][i] = greatest[c][i] + down[i];
       nearest[c] = nearest[c] + nearest_down;

@@ -18,7 +18,7 @@ namespace irg::detail {
 
 // The pixels of a window, at most tile_size a side, in rows of tile_stride.
 struct visible_window {
-  const std::uint32_t* place;  // of the triangle or piece, in `numbers`; no_face where nothing is seen
+  const std::uint32_t* place;  // of the triangle or piece, in `numbers`; no_index where nothing is seen
   const float* key;  // of the depth that is there; infinite beside the window
   float sign;  // of keys
   std::span<const std::uint32_t> numbers;
@@ -37,7 +37,7 @@ struct visible_pixels {
   std::vector<float> key;
 
   constexpr explicit visible_pixels(const cell_window& w)
-      : place(static_cast<std::size_t>((w.y_last - w.y_first) * tile_stride), no_face),
+      : place(static_cast<std::size_t>((w.y_last - w.y_first) * tile_stride), no_index),
         key(place.size(), std::numeric_limits<float>::infinity()) {}
   static constexpr std::size_t at(const cell_window& w, int x, int y) noexcept {
     return static_cast<std::size_t>((y - w.y_first) * tile_stride + (x - w.x_first));
@@ -83,7 +83,7 @@ constexpr draw_counts find_visible_plainly(visible_pixels& out, Depth& depth, st
         const float here = depth_at(t.setup, x, span.y);
         if (Test == tile_test::nearer && here == row[x]) ++counts.ties;
         std::uint32_t& place = out.place[visible_pixels::at(window, x, span.y)];
-        if (by_depth && place != no_face) {
+        if (by_depth && place != no_index) {
           if (!is_seen_before<Order>({numbers[i], here}, {numbers[place], row[x]}, {x, span.y}, find)) continue;
         } else if (!Order::nearer(here, row[x]) && !(by_depth && here == Order::farthest && here == row[x])) {
           continue;
@@ -97,7 +97,7 @@ constexpr draw_counts find_visible_plainly(visible_pixels& out, Depth& depth, st
     for (int y = window.y_first; y < window.y_last; ++y)
       for (int x = window.x_first; x < window.x_last; ++x)
         if (raster_traits<Depth>::row(depth, y)[x] == Order::farthest)
-          out.place[visible_pixels::at(window, x, y)] = no_face;
+          out.place[visible_pixels::at(window, x, y)] = no_index;
   for (int y = window.y_first; y < window.y_last; ++y)
     for (int x = window.x_first; x < window.x_last; ++x)
       out.key[visible_pixels::at(window, x, y)] = raster_traits<Depth>::row(depth, y)[x] * plain_sign<Order>;

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/short_memory.cpp"

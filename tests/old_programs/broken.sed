@@ -1,0 +1,1 @@
+s|irg/hidden/draw_plot.hpp|irg/hidden/plot_surface.hpp|
