@@ -318,7 +318,7 @@ struct studio_drawing {
                            typename studio_memory<T>::view_memory& m, const studio_colours& c)
       : s(of), view(v), picture(to), memory(m), colours(c), seen_from(camera_of(of.of(v))),
         projection(view_projection_checked(seen_from, static_cast<T>(to.width()) / static_cast<T>(to.height()))),
-        to_clip(projection.value), mapping(map_to_screen<T>(to.width(), to.height())), lamps(of.lamps) {
+        to_clip(projection.value), mapping(map_to_screen<T>({to.width(), to.height()})), lamps(of.lamps) {
     const T left = T(1) - s.ambient;
     for (light<T>& l : lamps) l.intensity = {left * l.intensity.r, left * l.intensity.g, left * l.intensity.b};
     if (memory.depth.width() != to.width() || memory.depth.height() != to.height())
@@ -369,7 +369,7 @@ struct studio_drawing {
                                    : phong ? picture_style::phong
                                            : picture_style::gouraud,
                                    culling, as_executor(sequential{}));
-    project_vertices<T>(kept_of(part).vertices, part.body.positions, to_clip, mapping);
+    project_vertices<T>(part.body.positions, to_clip, mapping, kept_of(part).vertices);
   }
 
   constexpr void opaque() {

@@ -35,16 +35,16 @@ inline namespace IRG_ABI {
 ///         that name a vertex that is not there
 /// exact   the same bytes for every executor and for all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
-          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
+          RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
 constexpr render_counts shade_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
                                       const MakeShader& make_shader,
                                       const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {});
 
 /// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
-          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
+          RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && requires(const MakeShader& make_shader) {
     { make_shader(std::uint32_t{}, facing::front) } -> PixelShader<pixel_of<Colour>>;
   }
