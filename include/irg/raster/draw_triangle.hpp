@@ -212,20 +212,24 @@ constexpr draw_counts shade_triangle(Colour& colour, const screen_vertex (&v)[3]
 template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
           PixelShader<pixel_of<Colour>> Shader>
   requires detail::KeepsDepths<Depth, How>
-[[deprecated("irg: draw_triangle is now shade_triangle")]] constexpr draw_counts draw_triangle(
-    Colour& colour, Depth& depth, const covered_triangle& t, const Shader& shader, const cell_window& window) {
+[[deprecated("irg: now shade_triangle")]] constexpr draw_counts draw_triangle(Colour& colour, Depth& depth,
+                                                                              const covered_triangle& t,
+                                                                              const Shader& shader,
+                                                                              const cell_window& window) {
   return shade_triangle<How, Policy>(colour, depth, t, shader, window);
 }
 template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
           PixelShader<pixel_of<Colour>> Shader>
   requires detail::KeepsDepths<Depth, How>
-[[deprecated("irg: draw_triangle is now shade_triangle")]] constexpr draw_counts draw_triangle(
-    Colour& colour, Depth& depth, const screen_vertex (&v)[3], const Shader& shader) {
+[[deprecated("irg: now shade_triangle")]] constexpr draw_counts draw_triangle(Colour& colour, Depth& depth,
+                                                                              const screen_vertex (&v)[3],
+                                                                              const Shader& shader) {
   return shade_triangle<How, Policy>(colour, depth, v, shader);
 }
 template <RowRaster Colour, PixelShader<pixel_of<Colour>> Shader>
-[[deprecated("irg: draw_triangle is now shade_triangle")]] constexpr draw_counts draw_triangle(
-    Colour& colour, const screen_vertex (&v)[3], const Shader& shader) {
+[[deprecated("irg: now shade_triangle")]] constexpr draw_counts draw_triangle(Colour& colour,
+                                                                              const screen_vertex (&v)[3],
+                                                                              const Shader& shader) {
   return shade_triangle(colour, v, shader);
 }
 
