@@ -42,8 +42,8 @@ TEST_CASE("screen_mapping: snapped to the nearest 1/256 pixel, ties up, whicheve
 }
 
 TEST_CASE("screen_mapping: the planes that a position is beyond") {
-  constexpr auto outside = [](const H& p) { return classify(p, vga).outside_planes(); };
-  constexpr auto cut = [](const H& p) { return classify(p, vga).cut_planes(); };
+  constexpr auto outside = [](const H& p) { return clip_code(p, vga).outside_planes(); };
+  constexpr auto cut = [](const H& p) { return clip_code(p, vga).cut_planes(); };
   CHECK_BOTH(outside({0, 0, 1, 2}) == clip_planes::none);
   CHECK_BOTH(outside({2, 2, 2, 2}) == clip_planes::none);  // points on a plane are inside
   CHECK_BOTH(outside({5, 0, 1, 2}) == clip_planes::right);
@@ -84,7 +84,7 @@ TEST_CASE("screen_mapping: within half a step and rounding of the true place, in
     const auto m = map_to_screen<double>({width, height});
     const double w = std::ldexp(1 + r.unit(), static_cast<int>(r.integer(-30, 30)));
     const H p{(2 * r.unit() - 1) * w, (2 * r.unit() - 1) * w, r.unit() * w, w};
-    REQUIRE(classify(p, m).cut == 0);
+    REQUIRE(clip_code(p, m).cut == 0);
     const auto v = to_screen(p, m);
     const long double x = (static_cast<long double>(p.x) / static_cast<long double>(w) + 1) * width * 128;
     const long double y = (1 - static_cast<long double>(p.y) / static_cast<long double>(w)) * height * 128;
@@ -97,7 +97,7 @@ TEST_CASE("screen_mapping: within half a step and rounding of the true place, in
 
 template <class T>
 constexpr irg::clip_code_pair code(T x, T y, T z, T w, int width = 512, int height = 512) {
-  return irg::classify(irg::hpoint<T, 3>{x, y, z, w}, irg::map_to_screen<T>({width, height}));
+  return irg::clip_code(irg::hpoint<T, 3>{x, y, z, w}, irg::map_to_screen<T>({width, height}));
 }
 
 TEST_CASE("classify: the picture's planes, and the guard band 2^15 pixels about its centre") {
@@ -153,7 +153,7 @@ TEST_CASE("to_screen: within half a 256th of a pixel of the exact place, everywh
     const double w = std::ldexp(r.unit() + 0.5, static_cast<int>(r.integer(-30, 30)));
     const double reach_x = 32768.0 / m.half_width, reach_y = 32768.0 / m.half_height;
     const H p{(2 * r.unit() - 1) * reach_x * w * 0.999, (2 * r.unit() - 1) * reach_y * w * 0.999, r.unit() * w, w};
-    REQUIRE(irg::classify(p, m).cut == 0);
+    REQUIRE(irg::clip_code(p, m).cut == 0);
     const irg::screen_vertex v = irg::to_screen(p, m);
     const long double x = (static_cast<long double>(p.x) / static_cast<long double>(w) + 1) * width / 2,
                       y = (1 - static_cast<long double>(p.y) / static_cast<long double>(w)) * height / 2;
@@ -163,8 +163,8 @@ TEST_CASE("to_screen: within half a 256th of a pixel of the exact place, everywh
     // Outside codes agree with where it lands.
     const bool beside = x < -0.01L || x > width + 0.01L || y < -0.01L || y > height + 0.01L;
     const bool within = x > 0.01L && x < width - 0.01L && y > 0.01L && y < height - 0.01L;
-    if (beside) REQUIRE(irg::classify(p, m).outside != 0);
-    if (within) REQUIRE(irg::classify(p, m).outside == 0);
+    if (beside) REQUIRE(irg::clip_code(p, m).outside != 0);
+    if (within) REQUIRE(irg::clip_code(p, m).outside == 0);
   }
 }
 

@@ -137,7 +137,7 @@ struct vertex_range {
 
   constexpr clip_code_pair project_one(std::size_t i) const {
     const hpoint<T, 3> clip = to_clip * positions[i];
-    codes[i] = classify(clip, mapping);
+    codes[i] = clip_code(clip, mapping);
     screen[i] = codes[i].cut == 0 ? to_screen(clip, mapping) : screen_vertex{};
     return codes[i];
   }

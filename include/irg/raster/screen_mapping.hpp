@@ -79,11 +79,19 @@ template <Floating T>
 
 /// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.
 template <Floating T>
-[[nodiscard]] IRG_INLINE constexpr clip_code_pair classify(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
+[[nodiscard]] IRG_INLINE constexpr clip_code_pair clip_code(const hpoint<T, 3>& p,
+                                                            const screen_mapping<T>& m) noexcept {
   const clip_planes beyond = clip_code(p, m.guard);
   const bool is_no_position = beyond == clip_planes::none && !(T(0) < p.w);
   return {static_cast<std::uint8_t>(clip_code(p, m.picture)),
           static_cast<std::uint8_t>(is_no_position ? clip_planes::z_near : beyond)};
+}
+
+/// The old name of clip_code for what a picture shows.
+template <class T>
+[[nodiscard, deprecated("irg: now clip_code")]] constexpr clip_code_pair classify(const hpoint<T, 3>& p,
+                                                                                  const screen_mapping<T>& m) noexcept {
+  return clip_code(p, m);
 }
 
 }  // namespace IRG_ABI

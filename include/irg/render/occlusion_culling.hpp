@@ -172,12 +172,12 @@ IRG_INLINE constexpr object_culling<T>::object_culling(const mat<T, 4, 4>& to_cl
 
 template <class T>
 IRG_INLINE constexpr bool object_culling<T>::unseen(const box<T, 3>& b) const noexcept {
-  return side_of(depth, b) == containment::outside || (side_of(picture, b) == containment::outside && unclipped(b));
+  return classify(depth, b) == containment::outside || (classify(picture, b) == containment::outside && unclipped(b));
 }
 
 template <class T>
 IRG_INLINE constexpr bool object_culling<T>::unclipped(const box<T, 3>& b) const noexcept {
-  return side_of(guard, b) == containment::inside;
+  return classify(guard, b) == containment::inside;
 }
 
 inline namespace IRG_ABI {
