@@ -237,7 +237,7 @@ struct studio_canvas {
   // Where a position is on the screen, if it is.
   constexpr std::optional<screen_vertex> place_of(const point<T, 3>& p) const noexcept {
     const hpoint<T, 3> at = to_clip * p;
-    if (classify(at, mapping) != clip_code_pair{}) return std::nullopt;
+    if (clip_code(at, mapping) != clip_code_pair{}) return std::nullopt;
     return to_screen(at, mapping);
   }
 

@@ -191,7 +191,7 @@ int differences(int positions) {
     irg::clip_code_pair any;
     for (std::size_t i = 0; i < p.size(); ++i) {
       const irg::hpoint<T, 3> clip = to_clip * p[i];
-      const irg::clip_code_pair codes = irg::classify(clip, mapping);
+      const irg::clip_code_pair codes = irg::clip_code(clip, mapping);
       const irg::screen_vertex one = codes.cut == 0 ? irg::to_screen(clip, mapping) : irg::screen_vertex{};
       wrong += !(v.codes[i] == codes) || std::memcmp(&v.screen[i], &one, sizeof one) != 0;
       any = any | codes;
