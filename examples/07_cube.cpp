@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   constexpr int width = 44, height = 22;  // a character is twice as high as wide
   irg::image<char> picture(width, height, '.');
   irg::image<float> depth(width, height, irg::nearer_is_greater::farthest);
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   const irg::mat<double, 4, 4> to_clip = irg::view_projection(camera, 1.0);
   int front_faces = 0;
 

@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
   irg::camera<double> camera;
   camera.eye = {0, 2.6, 3.4};
   camera.target = {0, -0.1, 0};
-  const auto mapping = irg::map_to_screen<double>(480, 360);
+  const auto mapping = irg::map_to_screen<double>({480, 360});
   const auto projected = irg::project_vertices<double>(positions, irg::view_projection(camera, 480.0 / 360), mapping);
   irg::image<irg::rgba8> picture(480, 360, {250, 249, 246, 255});
   irg::image<float> depth(480, 360, irg::nearer_is_greater::farthest);

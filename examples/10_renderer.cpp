@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   irg::camera<double> camera;
   camera.eye = {0.9, 2.2, 2.6};
   const auto to_clip = irg::view_projection(camera, 480.0 / 360);
-  const auto mapping = irg::map_to_screen<double>(480, 360);
+  const auto mapping = irg::map_to_screen<double>({480, 360});
   const auto to_lamp = irg::normalized(irg::vec<double, 3>{-1, 2, 1});
   const auto light = [&](std::uint32_t v) { return static_cast<float>(irg::dot(torus.normals[v], to_lamp)); };
   const auto tone = [](float l) { return irg::encode({0.9f * l, 0.6f * l, 0.3f * l}); };

@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   irg::image<irg::rgba8> own(640, 480), zbuffer(640, 480);
   irg::image<float> depth(640, 480);
   irg::render(scene, {zbuffer, depth});
-  const auto stats = irg::render(look_at_all{}, scene, {own, depth});
+  const auto stats = irg::render_with(look_at_all{}, scene, {own, depth});
   if (const auto saved = irg::save_image(file, own); !saved)
     program::fail("11_own_method", saved.error().message + (": " + file));
   std::printf("the z-buffer gives %s; %s\n", own == zbuffer ? "the same" : "another picture", file.c_str());

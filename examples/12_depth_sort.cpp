@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
 
   std::string text;
   auto sink = [&](std::string_view piece) { text.append(piece); };
-  irg::svg_drawing drawing(sink, 320, 260, {255, 255, 255, 255});
+  irg::svg_drawing drawing(sink, {320, 260}, {255, 255, 255, 255});
   constexpr irg::rgba8 colours[] = {{204, 96, 72, 255}, {236, 190, 96, 255}, {96, 160, 120, 255}};
   for (const auto& part : parts) {
     std::vector<std::vector<irg::point<double, 2>>> ring(1);

@@ -162,7 +162,7 @@ void draw(const program::command_line& line, const settings& s, const scene& of,
   if (irg::image_format_of_name(s.out) == irg::image_format::svg) {
     std::string text;
     auto sink = [&](std::string_view piece) { text += piece; };
-    irg::svg_drawing drawing(sink, s.size.width, s.size.height, paper);
+    irg::svg_drawing drawing(sink, {s.size.width, s.size.height}, paper);
     drawing.begin_lines({ink, 1, 0});
     for (const auto& l : lines) drawing.add_line(place(l[0]), place(l[1]));
     drawing.finish();

@@ -244,7 +244,7 @@ public:
 
   town_painter(const irg::box<double, 2>& border, const program::picture_size& size)
       : low_(border.low), picture(size.width, size.height, {250, 249, 246, 255}),
-        svg_(sink, size.width, size.height, {250, 249, 246, 255}) {
+        svg_(sink, {size.width, size.height}, {250, 249, 246, 255}) {
     const double wide = border.high.x - border.low.x, tall = border.high.y - border.low.y;
     scale_ = 0.95 * std::fmin(size.width / wide, size.height / tall);
     left_ = (size.width - scale_ * wide) / 2;

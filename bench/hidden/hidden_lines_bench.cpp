@@ -37,7 +37,7 @@ irg::line_drawing make_drawing(int side, int fineness, irg::drawn_edges edges) {
   for (int i = 0; i < side * side; ++i) {
     const double x = 1.5 * (i % side - 0.5 * (side - 1)), z = 1.5 * (i / side - 0.5 * (side - 1));
     const auto place = translation(vec<double, 3>{x, 0, z}) * rotation_x(0.3 * i) * rotation_z(0.7 * i);
-    add_mesh(drawing, body[i % 3], to_clip * place, map_to_screen<double>(width, height), {.edges = edges});
+    add_mesh(drawing, body[i % 3], to_clip * place, map_to_screen<double>({width, height}), {.edges = edges});
   }
   return drawing;
 }
@@ -103,7 +103,7 @@ void enter_beside_occt(const std::string& name, int side, double deflection) {
         irg::orthographic(irg::view_window<double>{-reach, reach, -high, high}, 1.0, 100.0) *
         irg::look_at(irg::point<double, 3>{30, 21, 27}, irg::point<double, 3>{0, 0, 0}, irg::vec<double, 3>{0, 1, 0});
     for (const irg::mesh<double>& m : occt_bodies(used, smoke() ? 0.02 : deflection))
-      add_mesh(d, m, to_clip, irg::map_to_screen<double>(width, height), {.culling = culling});
+      add_mesh(d, m, to_clip, irg::map_to_screen<double>({width, height}), {.culling = culling});
     return d;
   };
   const contest what{"hidden lines of bodies", name, "drawing"};

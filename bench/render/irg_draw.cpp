@@ -9,8 +9,8 @@
 namespace bench::own {
 
 renderer::renderer(const scene& s)
-    : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), vertices_(s.objects.size()),
-      hidden_(s.to_clip, s.width, s.height) {
+    : scene_(s), mapping_(irg::map_to_screen<float>({s.width, s.height})), vertices_(s.objects.size()),
+      hidden_(s.to_clip, {s.width, s.height}) {
   triangles_.reserve(s.triangles.size());
   for (const scene_object& o : s.objects) {
     extents_.push_back({o.bounds, o.triangles});
@@ -22,7 +22,7 @@ renderer::renderer(const scene& s)
 }
 
 void renderer::project(std::size_t object, int threads) {
-  irg::project_vertices<float>(vertices_[object], positions_of(scene_.objects[object]), scene_.to_clip, mapping_,
+  irg::project_vertices<float>(positions_of(scene_.objects[object]), scene_.to_clip, mapping_, vertices_[object],
                                irg::parallel{threads});
 }
 

@@ -70,7 +70,7 @@ struct subject {
   irg::prepared_scene<double> ready{};
   irg::image<irg::rgba8> texture = make_texture();
   irg::mip_pyramid<irg::rgb<float>> levels = irg::make_mip_pyramid(texture);
-  irg::screen_mapping<double> mapping = irg::map_to_screen<double>(size.width, size.height);
+  irg::screen_mapping<double> mapping = irg::map_to_screen<double>({size.width, size.height});
   irg::mat<double, 4, 4> to_clip{};
   irg::projected_vertices<double> projected{};
   irg::draw_workspace workspace{};
@@ -97,7 +97,7 @@ struct subject {
                        {.style = irg::picture_style::phong, .colours = {.background = {}}});
   }
   irg::render_counts draw_textured() {
-    irg::project_vertices<double>(projected, body.positions, to_clip, mapping);
+    irg::project_vertices<double>(body.positions, to_clip, mapping, projected);
     const irg::triangle_batch<double> batch[] = {{&projected, body.triangles}};
     const irg::textured_vertices vertices[] = {{body.textured}};
     const irg::texture_pyramid textures[] = {{&levels}};

@@ -75,7 +75,7 @@ struct measured {
 class frame {
 public:
   explicit frame(const scene& s)
-      : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), picture_(s.width, s.height),
+      : scene_(s), mapping_(irg::map_to_screen<float>({s.width, s.height})), picture_(s.width, s.height),
         depth_(s.width, s.height) {}
 
   seconds_of_stages draw(measured& out) {
@@ -93,7 +93,7 @@ public:
 private:
   template <class Shading, class E>
   void draw_with(const Shading& shading, const E& executor, measured& out) {
-    irg::project_vertices<float>(vertices_, scene_.positions, scene_.to_clip, mapping_, executor);
+    irg::project_vertices<float>(scene_.positions, scene_.to_clip, mapping_, vertices_, executor);
     const irg::triangle_batch<float> batch[1] = {{&vertices_, scene_.triangles, 0, 0}};
     out.stats = irg::shade_batches<irg::nearer_is_greater, float>(
         irg::render_target{picture_, depth_}, {batch, mapping_}, shading,

@@ -22,7 +22,7 @@ struct vertices {
   std::vector<irg::screen_vertex> plain, copy;
 
   explicit vertices(scene made)
-      : s(std::move(made)), mapping(irg::map_to_screen<float>(s.width, s.height)), plain(s.positions.size()),
+      : s(std::move(made)), mapping(irg::map_to_screen<float>({s.width, s.height})), plain(s.positions.size()),
         copy(plain) {}
 };
 
@@ -61,7 +61,7 @@ void enter_vertices() {
   const contest c{"vertex_transform", "4098 vertices", "vertex", 3 * triangles, "1/256 px", "limit:memcpy"};
   vertices& v = keep(vertices(random_triangles(c.test_case, triangles, {40, 40, 1}, drawing::random_order, "")));
   const auto project = [&v] {
-    irg::project_vertices<float>(v.out, v.s.positions, v.s.to_clip, v.mapping);
+    irg::project_vertices<float>(v.s.positions, v.s.to_clip, v.mapping, v.out);
     asm volatile("" : : "r"(v.out.screen.data()) : "memory");
   };
   enter(c, {"irg", project, [&v] {
@@ -168,7 +168,7 @@ struct tile_on_stage {
   explicit tile_on_stage(scene s)
       : what(std::move(s)), renderer(what),
         vertices(irg::project_vertices<float>(std::span<const irg::point<float, 3>>(what.positions), what.to_clip,
-                                              irg::map_to_screen<float>(64, 64))),
+                                              irg::map_to_screen<float>({64, 64}))),
         snapped(renderer.snapped()) {}
 
   // Triangle by triangle into the picture, without tiles.

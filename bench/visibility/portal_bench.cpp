@@ -104,7 +104,7 @@ constexpr int picture_width = 640, picture_height = 480;
 // The percentage of the cells of which something may be seen.
 double percent_seen(const house& h, const irg::camera<double>& view) {
   std::size_t seen = 0;
-  for (const auto& w : irg::visible_rooms(h.plan, h.doors, view, picture_width, picture_height)) seen += !w.empty();
+  for (const auto& w : irg::visible_rooms(h.plan, h.doors, view, {picture_width, picture_height})) seen += !w.empty();
   return 100.0 * static_cast<double>(seen) / static_cast<double>(h.plan.cells.size());
 }
 

@@ -95,7 +95,7 @@ inline picture windows() {
       for (int x = w.x_first; x < w.x_last; ++x)
         p(width + x, y) = darker(colour_of(found(x, y)), x == w.x_first || y == w.y_first ? 72 : 100);
   };
-  irg::draw_warnock(rods(), irg::cell_window{0, 0, width, height}, found, frame);
+  irg::draw_warnock(found, rods(), irg::cell_window{0, 0, width, height}, frame);
   return p;
 }
 

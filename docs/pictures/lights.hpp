@@ -53,7 +53,7 @@ inline picture depths() {
   const auto teapot = irg::shape_teapot<double>();
   const auto body = irg::make_drawable(teapot);
   const auto ball = irg::bounding_sphere_of(teapot);
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   picture all(2 * width + 12, height, paper);
   int left = 0;
   for (const irg::vec<double, 3> from : {irg::vec<double, 3>{0.3, 0.6, 1.6}, irg::vec<double, 3>{-1.6, 0.5, 0.4}}) {

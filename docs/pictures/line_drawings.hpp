@@ -28,7 +28,7 @@ inline irg::line_drawing bodies(irg::drawn_edges edges) {
                        translation(vec<double, 3>{-0.1, 0.35, -9.6}) * rotation_x(0.45) * rotation_y(-0.55);
   line_drawing d;
   const auto add = [&](const mesh<double>& m, const mat<double, 4, 4>& place) {
-    add_mesh(d, m, to_clip * place, map_to_screen<double>(width, height), {.edges = edges});
+    add_mesh(d, m, to_clip * place, map_to_screen<double>({width, height}), {.edges = edges});
   };
   add(shape_cube<double>(), translation(vec<double, 3>{0, -1.35, 0}) * scaling(vec<double, 3>{2.3, 0.12, 1.7}));
   add(shape_cube<double>(), translation(vec<double, 3>{0.75, -0.43, 0.1}) * scaling(vec<double, 3>{0.8, 0.8, 0.8}));
@@ -76,7 +76,7 @@ inline picture cube_edges() {
   const auto to_clip = perspective(radians(30.0), 1.0, 1.0, 100.0) * translation(vec<double, 3>{0, 0, -5.4}) *
                        rotation_x(0.5) * rotation_y(-0.55);
   line_drawing d;
-  add_mesh(d, shape_cube<double>(), to_clip, map_to_screen<double>(side, side));
+  add_mesh(d, shape_cube<double>(), to_clip, map_to_screen<double>({side, side}));
   const std::vector<screen_face> nothing;
   picture all(2 * side, side, paper);
   for (const bool hides : {false, true}) {

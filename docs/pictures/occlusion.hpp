@@ -26,7 +26,7 @@ struct standing_torus {
       irg::transformed(irg::shape_torus<double>({.minor_radius = 0.45, .major_segments = 24, .minor_segments = 12}),
                        irg::translation(irg::vec<double, 3>{0, 0, -4.2}) * irg::rotation_x(1.1)));
   irg::mat<double, 4, 4> to_clip = irg::perspective(irg::radians(40.0), 1.4, 1.0, 100.0);
-  irg::screen_mapping<double> mapping = irg::map_to_screen<double>(width, height);
+  irg::screen_mapping<double> mapping = irg::map_to_screen<double>({width, height});
   irg::projected_vertices<double> vertices =
       irg::project_vertices<double>(std::span<const irg::point<double, 3>>(body.positions), to_clip, mapping);
 };

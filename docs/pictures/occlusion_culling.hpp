@@ -64,7 +64,7 @@ inline picture seen_from_above() {
     for (const auto& p : b.positions) box = irg::bounding_box(box, p);
     objects.push_back({box, b.positions, b.triangles});
   }
-  irg::occlusion_culling<double> culling(irg::view_projection(s.view, 1.0 * width / height), width, height);
+  irg::occlusion_culling<double> culling(irg::view_projection(s.view, 1.0 * width / height), {width, height});
   const auto visible = culling.visible_objects(objects);
 
   const auto place = [&](double x, double z) {

@@ -197,7 +197,7 @@ void methods() {
         ids(x, y) = kept(x, y) =
             irg::picture_face_at(std::span(all_faces).last(faces.size()), x, y).value_or(irg::no_index);
   };
-  irg::render(nearest, s, {one, z}, {.style = irg::picture_style::flat, .culling = irg::face_culling::none});
+  irg::render_with(nearest, s, {one, z}, {.style = irg::picture_style::flat, .culling = irg::face_culling::none});
   constexpr irg::rgba8 of_face[3] = {{200, 80, 60, 255}, {70, 150, 90, 255}, {60, 100, 180, 255}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {

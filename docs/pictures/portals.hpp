@@ -112,7 +112,7 @@ inline picture rooms() {
   options.style = irg::picture_style::flat;
   irg::render(building, {view, depth}, options);
   picture windows = view;
-  for (const irg::cell_window& w : irg::visible_rooms(plan, doors, world.view, view.width(), view.height())) {
+  for (const irg::cell_window& w : irg::visible_rooms(plan, doors, world.view, {view.width(), view.height()})) {
     if (w.empty()) continue;
     for (int x = w.x_first; x < w.x_last; ++x) windows(x, w.y_first) = windows(x, w.y_last - 1) = eye_colour;
     for (int y = w.y_first; y < w.y_last; ++y) windows(w.x_first, y) = windows(w.x_last - 1, y) = eye_colour;

@@ -147,7 +147,7 @@ inline picture boxes() {
     for (int k = 0; k < 8; ++k) {
       const double x = -6.6 + 1.05 * i, z = -8.6 + 1.05 * k;
       const irg::box<double, 3> b{{x - 0.3, -0.2, z - 0.3}, {x + 0.3, 0.2, z + 0.3}};
-      const auto side = side_of(f, b);
+      const auto side = classify(f, b);
       const irg::rgba8 colour = side == irg::containment::inside    ? green
                                 : side == irg::containment::outside ? red
                                                                     : blue;

@@ -18,7 +18,8 @@ inline picture drawn(const program::ray_scene& s, int width, int height) {
   picture p(width, height);
   irg::traced_options<double> options;
   options.samples = 3;
-  irg::render_traced<double>(s.world, s.optics, p, options);
+  options.optics = s.optics;
+  irg::render_traced(s.world, p, options);
   return p;
 }
 

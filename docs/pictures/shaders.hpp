@@ -74,7 +74,7 @@ inline irg::projected_vertices<double> seen_from(const patch& p, point3 eye, poi
   camera.near_distance = 0.05;
   const double aspect = 1.0 * onto.width() / onto.height();
   return irg::project_vertices<double>(p.positions, irg::view_projection(camera, aspect),
-                                       irg::map_to_screen<double>(onto.width(), onto.height()));
+                                       irg::map_to_screen<double>({onto.width(), onto.height()}));
 }
 
 inline picture torus() {
@@ -88,7 +88,7 @@ inline picture torus() {
   }
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch one[1] = {{&projected, t.triangles}};
-  irg::shade_batches({p, depth}, {one, irg::map_to_screen<double>(480, 330)}, chequers{vertices});
+  irg::shade_batches({p, depth}, {one, irg::map_to_screen<double>({480, 330})}, chequers{vertices});
   return p;
 }
 
@@ -144,7 +144,7 @@ inline picture floors() {
         const irg::texture_sampler s{k == 0 ? irg::texture_filter::nearest : irg::texture_filter::bilinear};
         p(k * (width + gap) + x, y) =
             irg::encode(k < 2 ? irg::sample_texture(t, u(px, py), v(py), s)
-                              : irg::sample_mip_pyramid(pyramid, {u(px, py), v(py), irg::mip_level(d, 32, 32)}, s));
+                              : irg::sample_mip_pyramid(pyramid, {u(px, py), v(py), irg::mip_level(d, {32, 32})}, s));
       }
   return p;
 }
@@ -165,7 +165,8 @@ inline picture textured_torus() {
   const irg::texture_image textures[1] = {{texels.view(), {}}};
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch one[1] = {{&projected, t.triangles}};
-  irg::shade_batches({p, depth}, {one, irg::map_to_screen<double>(480, 330)}, irg::textured_shading{objects, textures});
+  irg::shade_batches({p, depth}, {one, irg::map_to_screen<double>({480, 330})},
+                     irg::textured_shading{objects, textures});
   return p;
 }
 
@@ -191,7 +192,7 @@ inline picture mip_floors() {
   const irg::textured_vertices objects[1] = {{vertices}};
   const irg::texture_image textures[1] = {{t.view(), {}}};
   const irg::texture_pyramid pyramids[1] = {{&levels}};
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   for (int k = 0; k < 2; ++k) {
     picture p(width, height, paper);
     irg::image<float> depth(width, height, 0.0f);
@@ -212,7 +213,7 @@ inline picture panes() {
   picture p = torus();
   irg::image<float> depth(480, 330, 0.0f);
   const patch t = make_patch(96, 32, torus_point);
-  const auto mapping = irg::map_to_screen<double>(480, 330);
+  const auto mapping = irg::map_to_screen<double>({480, 330});
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch opaque[1] = {{&projected, t.triangles}};
   irg::image<std::uint8_t> unused(480, 330);

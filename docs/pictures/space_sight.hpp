@@ -63,7 +63,7 @@ inline picture folded_out() {
     const ring frame{{left, top}, {left + size, top}, {left + size, top + size}, {left, top + size}, {left, top}};
     stroke(p, frame, 2.0, {40, 44, 56, 255});
   };
-  irg::faces_around(point3{0, 0, 0}, m, {size, 0.01}, draw_side);
+  irg::faces_around(point3{0, 0, 0}, m, draw_side, {size, 0.01});
   return p;
 }
 

@@ -228,7 +228,7 @@ inline picture in_the_viewport() {
 // Draws the faces with constant shading into a picture and its depth buffer, the last one first.
 template <class Order>
 void fill(picture& colour, irg::image<float>& depth) {
-  const auto mapping = irg::map_to_screen<double>(colour.width(), colour.height());
+  const auto mapping = irg::map_to_screen<double>({colour.width(), colour.height()});
   const point3 from = transform_point(irg::view_matrix(camera()), lamp());
   const irg::light<double, double> lights[] = {{irg::to_homogeneous(from), 200.0}};
   const irg::flat_shader<double, double> shade{{0.3, 0.9, 0, 1}, {100.0, lights}, {}};

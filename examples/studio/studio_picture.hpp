@@ -237,7 +237,7 @@ struct studio_canvas {
   // Where a position is on the screen, if it is.
   constexpr std::optional<screen_vertex> place_of(const point<T, 3>& p) const noexcept {
     const hpoint<T, 3> at = to_clip * p;
-    if (classify(at, mapping) != clip_code_pair{}) return std::nullopt;
+    if (clip_code(at, mapping) != clip_code_pair{}) return std::nullopt;
     return to_screen(at, mapping);
   }
 
@@ -318,7 +318,7 @@ struct studio_drawing {
                            typename studio_memory<T>::view_memory& m, const studio_colours& c)
       : s(of), view(v), picture(to), memory(m), colours(c), seen_from(camera_of(of.of(v))),
         projection(view_projection_checked(seen_from, static_cast<T>(to.width()) / static_cast<T>(to.height()))),
-        to_clip(projection.value), mapping(map_to_screen<T>(to.width(), to.height())), lamps(of.lamps) {
+        to_clip(projection.value), mapping(map_to_screen<T>({to.width(), to.height()})), lamps(of.lamps) {
     const T left = T(1) - s.ambient;
     for (light<T>& l : lamps) l.intensity = {left * l.intensity.r, left * l.intensity.g, left * l.intensity.b};
     if (memory.depth.width() != to.width() || memory.depth.height() != to.height())
@@ -369,7 +369,7 @@ struct studio_drawing {
                                    : phong ? picture_style::phong
                                            : picture_style::gouraud,
                                    culling, as_executor(sequential{}));
-    project_vertices<T>(kept_of(part).vertices, part.body.positions, to_clip, mapping);
+    project_vertices<T>(part.body.positions, to_clip, mapping, kept_of(part).vertices);
   }
 
   constexpr void opaque() {

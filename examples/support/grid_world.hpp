@@ -143,7 +143,7 @@ private:
   }
 
   std::string click(double x, double y) {
-    const irg::cell size{picture_.width(), picture_.height()};
+    const irg::extent2 size{picture_.width(), picture_.height()};
     const auto hit =
         irg::pick(with_camera(), size, {static_cast<int>(x), static_cast<int>(y)}, irg::face_culling::none);
     if (!hit) return "there is nothing under the cursor";

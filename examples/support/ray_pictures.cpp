@@ -35,7 +35,8 @@ void draw_rays(command_line& line, ray_scene (*make)()) {
   expect_picture_name(line, out);
   const ray_scene s = make();
   irg::image<irg::rgba8> picture(size.width, size.height);
-  irg::render_traced<double>(s.world, s.optics, picture, options, irg::parallel{threads});
+  options.optics = s.optics;
+  irg::render_traced(s.world, picture, options, irg::parallel{threads});
   write_picture(line, out, picture);
 }
 

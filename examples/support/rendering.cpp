@@ -68,7 +68,8 @@ irg::render_counts draw(const render_settings& s, const irg::scene<double>& worl
     traced.culling = options.culling;
     traced.samples = s.samples;
     traced.limits.shadows = s.shadows ? irg::shadow_rays::on : irg::shadow_rays::off;
-    irg::render_counts stats = irg::render_traced<double>(world, optics, picture, traced, threads);
+    traced.optics = optics;
+    irg::render_counts stats = irg::render_traced(world, picture, traced, threads);
     stats.drawn = 0;
     const irg::rgba8 background = irg::picture_colours().background;
     for (int y = 0; y < s.size.height; ++y)
@@ -77,7 +78,7 @@ irg::render_counts draw(const render_settings& s, const irg::scene<double>& worl
     return stats;
   }
   if (s.hidden == hidden_name::raytrace) {
-    const irg::render_counts stats = irg::render(irg::ray_tracing<>{}, world, {picture, depth}, options, threads);
+    const irg::render_counts stats = irg::render_with(irg::ray_tracing<>{}, world, {picture, depth}, options, threads);
     observer(irg::render_stage::draw);
     return stats;
   }
@@ -87,7 +88,7 @@ irg::render_counts draw(const render_settings& s, const irg::scene<double>& worl
                       : s.hidden == hidden_name::bsp     ? classical_method::bsp
                                                          : classical_method::ray_casting;
   const irg::render_counts stats =
-      irg::render(irg::hidden_surfaces_by{method}, world, {picture, depth}, options, threads);
+      irg::render_with(irg::hidden_surfaces_by{method}, world, {picture, depth}, options, threads);
   observer(irg::render_stage::draw);
   return stats;
 }
@@ -169,7 +170,7 @@ void add_body(irg::line_drawing& drawing, const render_settings& s, irg::face_cu
   options.culling = culling;
   options.frustum = s.options.skip.frustum;
   const irg::mesh<double> body = joined(shape);
-  add_mesh(drawing, body, to_clip, irg::map_to_screen<double>(s.size.width, s.size.height), options);
+  add_mesh(drawing, body, to_clip, irg::map_to_screen<double>({s.size.width, s.size.height}), options);
   const auto triangles = [](const irg::mesh<double>& m) {
     return static_cast<std::int64_t>(m.corners.size()) - 2 * static_cast<std::int64_t>(m.face_count());
   };
@@ -195,7 +196,7 @@ irg::render_counts draw_hidden_lines(const render_settings& s, const irg::scene<
   stats.triangles = drawing.triangles;
   stats.skipped.frustum = drawing.beyond;
   stats.skipped.backface = drawing.culled;
-  irg::svg_drawing svg(text, s.size.width, s.size.height, colours.background);
+  irg::svg_drawing svg(text, {s.size.width, s.size.height}, colours.background);
   line_painter painter(picture, svg);
   const auto end_of = [&](const irg::edge_part& part, double t) { return point_on(drawing.edges[part.edge], t); };
   std::vector<irg::edge_part> visible;

@@ -3,6 +3,7 @@
 // again.
 #include <array>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include <irg/curve/bezier_accurate.hpp>
@@ -64,72 +65,71 @@ constexpr std::array<double, 10> raised{0, 0, 0, 0, 1, 1, 2, 2, 2, 2};
 using run_time_knots = irg::bspline_knots<double, irg::degree_at_run_time>;
 constexpr run_time_knots knots(list, 2), refined(finer, 2), elevated(raised, 3);
 
-template <class... W>
-constexpr numbers_given bezier_curves(W&... workspace) {
-  numbers_given all;
-  const auto sink = [&](const auto& x) { all.add(x); };
-  all.add(irg::bezier_point(curve, 0.3, workspace...));
-  all.add(irg::bezier_sample(curve, 0.3, workspace...));
-  all.add(irg::bezier_point_accurate(curve, 0.3, workspace...));
-  all.add(irg::bezier_point_of_edges(curve, 0.3, workspace...));
-  irg::bezier_forward(curve, 5, sink, workspace...);
-  std::array<double, irg::prepared_bezier<P>::numbers_for(4)> space{};
-  all.add(irg::bezier_point(*irg::prepare_bezier(curve, std::span<double>(space), workspace...), 0.3));
-  all.add(irg::bezier_box(curve, workspace...).high);
-  all.add(irg::bezier_line_intersections(curve, P{0, 1}, P{1, 1}, sink, workspace...));
-  all.add(irg::bezier_nearest(curve, P{2, 9}, workspace...).point);
-  std::array<irg::curve_meeting<double>, 4> room{};
-  all.add(static_cast<double>(irg::bezier_intersections(curve, bowl, {0.01}, room, workspace...).value));
-  for (const auto& m : room) all.add(m.first_from), all.add(m.second_to);
-  all.add(static_cast<double>(irg::flatten(curve, 0.1, sink, workspace...).pieces));
-  return all;
-}
+// What a call works in: scratch as it is, a workspace that is kept, or one for the call alone.
+struct in_scratch {
+  template <class S>
+  constexpr S& operator()(S& scratch) const {
+    return scratch;
+  }
+  template <class Call, class Sink, class... S>
+  constexpr auto call(const Call& of, Sink& sink, S&... scratch) const {
+    return of(scratch..., sink);
+  }
+};
+template <class Q>
+struct in_workspace {
+  irg::curve_workspace<Q>& memory;
+  template <class S>
+  constexpr irg::curve_workspace<Q>& operator()(S&) const {
+    return memory;
+  }
+  template <class Call, class Sink, class... S>
+  constexpr auto call(const Call& of, Sink& sink, S&...) const {
+    return of(sink, memory);
+  }
+};
+template <class Q>
+struct in_none {
+  template <class S>
+  constexpr irg::curve_workspace<Q> operator()(S&) const {
+    return {};
+  }
+  template <class Call, class Sink, class... S>
+  constexpr auto call(const Call& of, Sink& sink, S&...) const {
+    return of(sink);
+  }
+};
 
-constexpr numbers_given bezier_curves_in_scratch() {
+template <class In>
+constexpr numbers_given bezier_curves(const In& in) {
   numbers_given all;
   const auto sink = [&](const auto& x) { all.add(x); };
   std::array<P, 21> points{};
   std::array<N, 32> numbers{};
   std::array<irg::exact_sum<double>, 4> sums{};
   std::array<double, 4> shares{};
-  all.add(irg::bezier_point(curve, 0.3, points));
-  all.add(irg::bezier_sample(curve, 0.3, points));
-  all.add(irg::bezier_point_accurate(curve, 0.3, sums));
-  all.add(irg::bezier_point_of_edges(curve, 0.3, shares));
-  irg::bezier_forward(curve, 5, points, sink);
   std::array<double, irg::prepared_bezier<P>::numbers_for(4)> space{};
-  all.add(irg::bezier_point(*irg::prepare_bezier(curve, std::span<double>(space), sums), 0.3));
-  all.add(irg::bezier_box(curve, numbers).high);
-  all.add(irg::bezier_line_intersections(curve, P{0, 1}, P{1, 1}, numbers, sink));
-  all.add(irg::bezier_nearest(curve, P{2, 9}, numbers, points).point);
   std::array<irg::curve_meeting<double>, 4> room{};
-  all.add(static_cast<double>(irg::bezier_intersections(curve, bowl, {0.01}, room, points).value));
+  all.add(irg::bezier_point(curve, 0.3, in(points)));
+  all.add(irg::bezier_sample(curve, 0.3, in(points)));
+  all.add(irg::bezier_point_accurate(curve, 0.3, in(sums)));
+  all.add(irg::bezier_point_of_edges(curve, 0.3, in(shares)));
+  all.add(irg::bezier_point(*irg::prepare_bezier(curve, std::span<double>(space), in(sums)), 0.3));
+  all.add(irg::bezier_box(curve, in(numbers)).high);
+  if constexpr (std::is_same_v<In, in_scratch>)
+    all.add(irg::bezier_nearest(curve, P{2, 9}, numbers, points).point);
+  else
+    all.add(irg::bezier_nearest(curve, P{2, 9}, in(points)).point);
+  all.add(static_cast<double>(irg::bezier_intersections(curve, bowl, {0.01}, room, in(points)).value));
   for (const auto& m : room) all.add(m.first_from), all.add(m.second_to);
-  all.add(static_cast<double>(irg::flatten(curve, 0.1, points, sink).pieces));
+  in.call([&](auto&... a) { irg::bezier_forward(curve, 5, a...); }, sink, points);
+  in.call([&](auto&... a) { all.add(irg::bezier_line_intersections(curve, P{0, 1}, P{1, 1}, a...)); }, sink, numbers);
+  in.call([&](auto&... a) { all.add(static_cast<double>(irg::flatten(curve, 0.1, a...).pieces)); }, sink, points);
   return all;
 }
 
-template <class... W>
-constexpr numbers_given bspline_curves(W&... workspace) {
-  numbers_given all;
-  const auto sink = [&](const auto&... x) { (all.add(x), ...); };
-  std::array<P, 6> result{};
-  std::array<V, 3> derivatives{};
-  all.add(*irg::bspline_point(knots, curve, 0.7, workspace...));
-  all.add(*irg::nurbs_point(knots, curve, weights, 0.7, workspace...));
-  all.add(*irg::bspline_point_de_boor(knots, curve, 0.7, workspace...));
-  all.add(irg::bspline_derivatives(knots, curve, 0.7, derivatives, workspace...));
-  all.add(std::span(derivatives));
-  all.add(*irg::bspline_sample(knots, curve, 0.7, workspace...));
-  all.add(irg::bspline_refine(knots, curve, refined, result, workspace...));
-  all.add(std::span(result));
-  irg::bspline_bezier_pieces(knots, curve, sink, workspace...);
-  irg::bspline_elevate(knots, curve, elevated, result, workspace...);
-  all.add(std::span(result));
-  return all;
-}
-
-constexpr numbers_given bspline_curves_in_scratch() {
+template <class In>
+constexpr numbers_given bspline_curves(const In& in) {
   numbers_given all;
   const auto sink = [&](const auto&... x) { (all.add(x), ...); };
   std::array<P, 6> result{};
@@ -137,17 +137,17 @@ constexpr numbers_given bspline_curves_in_scratch() {
   std::array<double, 6> numbers{};
   std::array<P, 3> points{};
   std::array<V, 6> vectors{};
-  all.add(*irg::bspline_point(knots, curve, 0.7, numbers));
-  all.add(*irg::nurbs_point(knots, curve, weights, 0.7, numbers));
-  all.add(*irg::bspline_point_de_boor(knots, curve, 0.7, points));
-  all.add(irg::bspline_derivatives(knots, curve, 0.7, derivatives, vectors));
+  all.add(*irg::bspline_point(knots, curve, 0.7, in(numbers)));
+  all.add(*irg::nurbs_point(knots, curve, weights, 0.7, in(numbers)));
+  all.add(*irg::bspline_point_de_boor(knots, curve, 0.7, in(points)));
+  all.add(irg::bspline_derivatives(knots, curve, 0.7, derivatives, in(vectors)));
   all.add(std::span(derivatives));
-  all.add(*irg::bspline_sample(knots, curve, 0.7, vectors));
-  all.add(irg::bspline_refine(knots, curve, refined, result, numbers));
+  all.add(*irg::bspline_sample(knots, curve, 0.7, in(vectors)));
+  all.add(irg::bspline_refine(knots, curve, refined, result, in(numbers)));
   all.add(std::span(result));
-  irg::bspline_bezier_pieces(knots, curve, numbers, points, sink);
-  irg::bspline_elevate(knots, curve, elevated, result, numbers);
+  irg::bspline_elevate(knots, curve, elevated, result, in(numbers));
   all.add(std::span(result));
+  in.call([&](auto&&... a) { irg::bspline_bezier_pieces(knots, curve, a...); }, sink, numbers, points);
   return all;
 }
 
@@ -161,64 +161,40 @@ constexpr run_time_knots along_u(one_stretch, 2), along_v(two_stretches, 1);
 constexpr irg::bspline_surface<P3> surface{along_u, along_v, {roof, 3}};
 constexpr irg::bspline_surface<H3> rational{along_u, along_v, {heavy, 3}};
 
-template <class... W>
-constexpr numbers_given surfaces(W&... workspace) {
+template <class In>
+constexpr numbers_given surfaces(const In& in) {
   numbers_given all;
-  std::array<V3, 9> derivatives{};
-  all.add(irg::patch_sample(surface.net, 0.3, 0.6, workspace...));
-  all.add(*irg::bspline_surface_point(surface, 0.3, 0.6, workspace...));
-  all.add(irg::bspline_surface_derivatives(surface, {0.3, 0.6}, 2, derivatives, workspace...));
-  all.add(std::span(derivatives));
-  all.add(*irg::bspline_surface_sample(surface, 0.3, 0.6, workspace...));
-  irg::bspline_surface_patches(surface, [&](const auto& piece) { all.add(piece); }, workspace...);
-  return all;
-}
-
-constexpr numbers_given surfaces_in_scratch() {
-  numbers_given all;
+  const auto sink = [&](const auto& piece) { all.add(piece); };
   std::array<V3, 9> derivatives{};
   std::array<P3, 9> points{};
   std::array<V3, 18> vectors{};
   std::array<double, 13> numbers{};
-  all.add(irg::patch_sample(surface.net, 0.3, 0.6, points));
-  all.add(*irg::bspline_surface_point(surface, 0.3, 0.6, numbers));
-  all.add(irg::bspline_surface_derivatives(surface, {0.3, 0.6}, 2, derivatives, vectors));
+  all.add(irg::patch_sample(surface.net, 0.3, 0.6, in(points)));
+  all.add(*irg::bspline_surface_point(surface, 0.3, 0.6, in(numbers)));
+  all.add(irg::bspline_surface_derivatives(surface, {0.3, 0.6}, 2, derivatives, in(vectors)));
   all.add(std::span(derivatives));
-  all.add(*irg::bspline_surface_sample(surface, 0.3, 0.6, vectors));
-  irg::bspline_surface_patches(surface, numbers, points, [&](const auto& piece) { all.add(piece); });
+  all.add(*irg::bspline_surface_sample(surface, 0.3, 0.6, in(vectors)));
+  in.call([&](auto&... a) { irg::bspline_surface_patches(surface, a...); }, sink, numbers, points);
   return all;
 }
 
-template <class... W>
-constexpr numbers_given rational_surfaces(W&... workspace) {
-  numbers_given all;
-  all.add(*irg::nurbs_surface_point(rational, 0.3, 0.6, workspace...));
-  all.add(*irg::nurbs_surface_sample(rational, 0.3, 0.6, workspace...));
-  return all;
-}
-
-constexpr numbers_given rational_surfaces_in_scratch() {
+template <class In>
+constexpr numbers_given rational_surfaces(const In& in) {
   numbers_given all;
   std::array<H3, 16> points{};
   std::array<double, 5> numbers{};
-  all.add(*irg::nurbs_surface_point(rational, 0.3, 0.6, numbers));
-  all.add(*irg::nurbs_surface_sample(rational, 0.3, 0.6, points));
+  all.add(*irg::nurbs_surface_point(rational, 0.3, 0.6, in(numbers)));
+  all.add(*irg::nurbs_surface_sample(rational, 0.3, 0.6, in(points)));
   return all;
 }
 
-constexpr std::array<N, 3> coefficients{N{-1}, N{2}, N{-1.5}};
-
-template <class... W>
-constexpr numbers_given roots(W&... workspace) {
+template <class In>
+constexpr numbers_given roots(const In& in) {
+  constexpr std::array<N, 3> coefficients{N{-1}, N{2}, N{-1.5}};
   numbers_given all;
-  irg::bernstein_roots<double>(coefficients, 0.0, [&](const auto& r) { all.add(r); }, workspace...);
-  return all;
-}
-
-constexpr numbers_given roots_in_scratch() {
-  numbers_given all;
+  const auto sink = [&](const auto& r) { all.add(r); };
   std::array<N, 9> numbers{};
-  irg::bernstein_roots<double>(coefficients, 0.0, numbers, [&](const auto& r) { all.add(r); });
+  in.call([&](auto&... a) { irg::bernstein_roots<double>(coefficients, 0.0, a...); }, sink, numbers);
   return all;
 }
 
@@ -227,32 +203,36 @@ concept works_in = requires(W& memory) { irg::bezier_point(curve, 0.3, memory); 
 
 // Once in a workspace of its own, once in one that is kept, and again in that without memory.
 template <class Q, class Calls>
-void check_in_workspaces(const Calls& calls, const numbers_given& in_scratch) {
-  REQUIRE(in_scratch.count > 3);
-  CHECK(calls() == in_scratch);
+void check_in_workspaces(const Calls& calls) {
+  const numbers_given expected = calls(in_scratch{});
+  REQUIRE(expected.count > 3);
+  CHECK(calls(in_none<Q>{}) == expected);
   irg::curve_workspace<Q> workspace;
-  CHECK(calls(workspace) == in_scratch);
+  CHECK(calls(in_workspace<Q>{workspace}) == expected);
   test::allocations_left = 0;
-  const numbers_given again = calls(workspace);
+  const numbers_given again = calls(in_workspace<Q>{workspace});
   test::allocations_left = -1;
-  CHECK(again == in_scratch);
+  CHECK(again == expected);
 }
 
 }  // namespace
 
 TEST_CASE("curve_workspace: the bits of scratch, and nothing allocated when it is used again") {
-  check_in_workspaces<P>([](auto&... w) { return bezier_curves(w...); }, bezier_curves_in_scratch());
-  check_in_workspaces<P>([](auto&... w) { return bspline_curves(w...); }, bspline_curves_in_scratch());
-  check_in_workspaces<P3>([](auto&... w) { return surfaces(w...); }, surfaces_in_scratch());
-  check_in_workspaces<H3>([](auto&... w) { return rational_surfaces(w...); }, rational_surfaces_in_scratch());
-  check_in_workspaces<N>([](auto&... w) { return roots(w...); }, roots_in_scratch());
+  check_in_workspaces<P>([](const auto& in) { return bezier_curves(in); });
+  check_in_workspaces<P>([](const auto& in) { return bspline_curves(in); });
+  check_in_workspaces<P3>([](const auto& in) { return surfaces(in); });
+  check_in_workspaces<H3>([](const auto& in) { return rational_surfaces(in); });
+  check_in_workspaces<N>([](const auto& in) { return roots(in); });
 }
 
 TEST_CASE("curve_workspace: in constant evaluation, and beside forms that need none") {
-  static_assert(bspline_curves() == bspline_curves_in_scratch());
-  static_assert(surfaces() == surfaces_in_scratch());
-  static_assert(rational_surfaces() == rational_surfaces_in_scratch());
-  static_assert(roots() == roots_in_scratch());
+  static_assert(bspline_curves(in_none<P>{}) == bspline_curves(in_scratch{}));
+  static_assert(surfaces(in_none<P3>{}) == surfaces(in_scratch{}));
+  static_assert(rational_surfaces(in_none<H3>{}) == rational_surfaces(in_scratch{}));
+  static_assert(roots(in_none<N>{}) == roots(in_scratch{}));
+  CHECK_BOTH(irg::bezier_point(curve, 0.3) == irg::bezier_point(hill, 0.3));
+  CHECK_BOTH(irg::bspline_point(knots, curve, 0.7) ==
+             irg::bspline_point(irg::bspline_knots<double, 2>(list), hill, 0.7));
   CHECK_BOTH(irg::flatten(curve, 0.5, [](const P&) {}).within_tolerance);
   irg::curve_workspace<P> plane;
   constexpr irg::bspline_knots<double, 2> fixed(list);

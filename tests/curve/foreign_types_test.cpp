@@ -69,6 +69,10 @@ std::vector<double> curves_of() {
   put(left[1]);
   irg::bezier_forward(points, 5, std::span<P>(work), [&](const P& p) { put(p); });
   irg::flatten(points, 0.01, std::span<P>(work), [&](const P& p) { put(p); });
+  irg::curve_workspace<P> workspace;
+  put(irg::bezier_sample(list, t, workspace).derivative);
+  irg::flatten(list, 0.01, [&](const P& p) { put(p); }, workspace);
+  put(irg::bezier_nearest(list, points[2]).point);
   std::vector<irg::vec<double, 1>> numbers(64);
   put(irg::bezier_nearest(points, points[2], std::span(numbers), std::span<P>(work)).point);
   const auto box = irg::bezier_box(points, std::span(numbers));

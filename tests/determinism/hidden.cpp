@@ -138,7 +138,7 @@ constexpr std::uint64_t hidden_bsp_scene(int rounds) {
     for (const irg::bsp_piece_3d& p : d.pieces)
       for (const irg::point<double, 3>& q : tree.rounded(p)) h.add(q[0]), h.add(q[1]), h.add(q[2]);
     const auto to_clip = irg::orthographic(irg::view_window<double>{-2, 2, -2, 2}, -10.0, 10.0);
-    const auto mapping = irg::map_to_screen<double>(size, size);
+    const auto mapping = irg::map_to_screen<double>({size, size});
     std::vector<irg::screen_face> faces;
     for (std::uint32_t k = 0; k < triangles.size(); ++k) {
       const irg::hpoint<double, 3> c[3] = {to_clip * vertices[3 * k], to_clip * vertices[3 * k + 1],

@@ -18,7 +18,7 @@ constexpr std::uint64_t over_scenes(int rounds, Add add) {
     const int width = small ? 5 : 40 + 7 * i, height = small ? 4 : 100 - i;
     test::scene_maker make(r, static_cast<test::scene_kind>(small ? 6 : i % (test::scene_kinds + 1)), width, height);
     const test::triangle_scene s = make(small ? 3 : 50);
-    const auto mapping = irg::map_to_screen<T>(width, height);
+    const auto mapping = irg::map_to_screen<T>({width, height});
     const auto positions = test::positions_in<T>(s);
     const auto vertices = irg::project_vertices<T>(positions, test::matrix_in<T>(s), mapping);
     add(h, s, vertices, mapping, r);

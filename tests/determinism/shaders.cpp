@@ -47,7 +47,7 @@ constexpr std::uint64_t shade_textures(int rounds) {
       h.add(c.g);
       h.add(c.b);
     }
-    h.add(irg::mip_level({u, v, level, u}, 64, 32));
+    h.add(irg::mip_level({u, v, level, u}, {64, 32}));
   }
   return h.value();
 }
@@ -75,7 +75,7 @@ constexpr std::uint64_t render_textures_and_glass(int rounds) {
     }
     const irg::textured_vertices objects[1] = {{vertices}};
     const irg::texture_image textures[1] = {{texture.view(), any_sampler(r)}};
-    const auto mapping = irg::map_to_screen<double>(width, height);
+    const auto mapping = irg::map_to_screen<double>({width, height});
     const auto projected = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
     irg::image<irg::rgba8> colour(width, height);
     irg::image<float> depth(width, height);

@@ -42,8 +42,8 @@ constexpr std::uint64_t projections(int rounds) {
     if (const auto corners = irg::frustum_corners(f))
       for (const auto& c : corners->at) h.add(c.x), h.add(c.y), h.add(c.z), h.add(c.w);
     const irg::point<T, 3> low{unit() - T(0.5), unit() - T(0.5), -T(4) * unit()};
-    h.add(static_cast<int>(side_of(f, irg::box<T, 3>{low, {low.x + unit(), low.y + unit(), low.z + unit()}})));
-    h.add(static_cast<int>(side_of(f, irg::bounding_sphere<T, 3>{low, unit()})));
+    h.add(static_cast<int>(classify(f, irg::box<T, 3>{low, {low.x + unit(), low.y + unit(), low.z + unit()}})));
+    h.add(static_cast<int>(classify(f, irg::bounding_sphere<T, 3>{low, unit()})));
     const auto mapping =
         irg::window_to_viewport(window, {unit(), unit(), unit() + T(99), unit() + T(50)}, irg::window_fit::whole).value;
     h.add(mapping.onto.x), h.add(mapping.onto.y), h.add(mapping.scale.x), h.add(mapping.scale.y);

@@ -144,7 +144,7 @@ constexpr std::uint64_t visibility_space(int rounds) {
       for (const auto& ring : irg::visible_polygons(faces, irg::cell_window{0, 0, 256, 256}).rings)
         h.add(static_cast<int>(ring.number + ring.count));
     };
-    irg::faces_around(irg::point<double, 3>{0.25, 0.5, 3}, m, {256, 0.125}, add_side);
+    irg::faces_around(irg::point<double, 3>{0.25, 0.5, 3}, m, add_side, {256, 0.125});
   }
   return h.value();
 }

@@ -44,7 +44,7 @@ constexpr std::uint64_t hidden_boxes(int rounds) {
     const int width = small ? 9 : 40 + 7 * i, height = small ? 8 : 100 - i;
     test::scene_maker make(r, test::scene_kind::sheets, width, height);
     const test::triangle_scene s = make(small ? 2 : 50);
-    irg::occlusion_culling<float> culling(test::matrix_in<float>(s), width, height);
+    irg::occlusion_culling<float> culling(test::matrix_in<float>(s), {width, height});
     const auto positions = test::positions_in<float>(s);
     culling.add_occluder(positions, s.triangles, irg::face_culling::none);
     for (int k = 0; k < (small ? 2 : 200); ++k) {

@@ -71,7 +71,7 @@ struct values {
   std::vector<P2> ring{a, b, c, d};
   std::vector<P3> ring3{a3, b3, P3{4, 3, 1}, d3};
   irg::box<double, 2> window{{1, 1}, {3, 5}};
-  irg::screen_mapping<float> mapping = irg::map_to_screen<float>(8, 8);
+  irg::screen_mapping<float> mapping = irg::map_to_screen<float>({8, 8});
   irg::line_dashes<irg::dash_mask> dashes{irg::dash_mask{0x0f0f, 1}};
   irg::rgba8 colour{1, 2, 3, 255};
   no_sink cells{};
@@ -421,12 +421,12 @@ TEST_CASE("foreign types: clip_weiler_atherton of rings of integers gives what i
 TEST_CASE("foreign types: project_vertices takes positions of other types, converts them and leaves irg's in place") {
   const std::vector<irg::point<float, 3>> own{{0, 0, 0.5f}, {0.25f, -0.5f, 0.125f}, {7, 0, 0.1f}};
   const std::vector<plain3> others{{0, 0, 0.5}, {0.25, -0.5, 0.125}, {7, 0, static_cast<double>(0.1f)}};
-  const auto mapping = irg::map_to_screen<float>(640, 480);
+  const auto mapping = irg::map_to_screen<float>({640, 480});
   const auto to_clip = irg::identity_matrix<float, 4>();
   const auto expected = irg::project_vertices<float>(std::span<const irg::point<float, 3>>(own), to_clip, mapping);
   const auto in_place = irg::project_vertices(own, to_clip, mapping);
   irg::projected_vertices<float> converted;
-  irg::project_vertices(converted, others, to_clip, mapping);
+  irg::project_vertices(others, to_clip, mapping, converted);
   const irg::projected_vertices<float> moved = std::move(converted);
   CHECK(in_place.positions.data() == own.data());
   CHECK(in_place.converted.empty());

@@ -186,3 +186,8 @@ TEST_CASE_TEMPLATE("plane_through_accurate, plane_at: numbers of all sizes", T, 
 }
 
 #endif
+
+TEST_CASE("plane_through: points in braces are of doubles") {
+  CHECK_BOTH(irg::plane_through({1, 0, 0}, {0, 1, 0}, {0, 0, 1}) == irg::plane<double>{1, 1, 1, -1});
+  CHECK_BOTH(irg::plane_through_accurate({1, 0, 0}, {0, 1, 0}, {0, 0, 1}) == irg::plane<double>{1, 1, 1, -1});
+}

@@ -74,7 +74,7 @@ TEST_CASE("bsp_of_faces: coplanar faces are not split; many parallel ones need n
   CHECK(tree.counts.pieces == 9000);
   CHECK(tree.counts.depth < 100);
   test::id_image ids(4, 4, irg::no_index);
-  irg::draw_bsp(tree, ids);
+  irg::draw_bsp(ids, tree);
   CHECK(ids(0, 0) == 8999);
 }
 
@@ -124,7 +124,7 @@ std::vector<irg::screen_face> cone(int slices, double width, double height) {
 std::int64_t pieces_of(const std::vector<irg::screen_face>& faces, int width, int height) {
   const auto tree = irg::build_bsp(faces, irg::cell_window{0, 0, width, height});
   test::id_image ids(width, height, irg::no_index);
-  irg::draw_bsp(tree, ids);
+  irg::draw_bsp(ids, tree);
   for (int y = 0; y < height; y += 1 + height / 40)
     for (int x = 0; x < width; x += 1 + width / 60)
       if (ids(x, y) != irg::picture_face_at(faces, x, y).value_or(irg::no_index)) return -1;

@@ -100,7 +100,7 @@ view_of_space seen(const P& eye, const P& target, bool parallel) {
   const matrix project =
       parallel ? irg::orthographic(irg::view_window<double>{-8, 8, -8.0 / aspect, 8.0 / aspect}, -100.0, 100.0)
                : irg::perspective(0.9, aspect, 0.05, 1e9);
-  return {project * irg::look_at(eye, target, up), irg::map_to_screen<double>(width, height)};
+  return {project * irg::look_at(eye, target, up), irg::map_to_screen<double>({width, height})};
 }
 
 TEST_CASE("bsp_scene_painter: the exact picture, but where snapping can have moved depths or borders") {
@@ -188,7 +188,7 @@ TEST_CASE("bsp_scene_painter: the same pictures of scenes that are hundreds of d
         if (mirrored)
           for (double& entry : project.m[0]) entry = -entry;
         const view_of_space v{project * irg::look_at(eye, scaled(target), irg::vec<double, 3>{0.1, 0.2, 1}),
-                              irg::map_to_screen<double>(width, height)};
+                              irg::map_to_screen<double>({width, height})};
         const auto faces = faces_of(s, v);
         const irg::bsp_tree_3d<double> tree(s.vertices, s.triangles);
         test::id_image ids(width, height, irg::no_index);
@@ -211,7 +211,7 @@ TEST_CASE("bsp_scene_painter: in constant evaluation") {
     const P v[] = {{-1, -1, 0.25}, {1, -1, 0.25}, {-1, 1, 0.75}, {-1, -1, 0.5}, {1, -1, 0.5}, {-1, 1, 0.5}};
     const irg::triangle_indices t[] = {{{0, 1, 2}}, {{3, 4, 5}}};
     const irg::bsp_tree_3d<double> tree(v, t, {.candidates = 1});
-    const view_of_space view{irg::identity_matrix<double, 4>(), irg::map_to_screen<double>(8, 8)};
+    const view_of_space view{irg::identity_matrix<double, 4>(), irg::map_to_screen<double>({8, 8})};
     std::vector<irg::screen_face> faces;
     for (std::uint32_t i = 0; i < 2; ++i) {
       const irg::hpoint<double, 3> c[3] = {view.to_clip * v[3 * i], view.to_clip * v[3 * i + 1],

@@ -25,3 +25,20 @@ TEST_CASE("classical_methods: each name is its method") {
   CHECK_BOTH(shown(bsp) == 0);
   CHECK_BOTH(shown(painter_by_centroid) == 1);
 }
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // the old order goes on compiling
+TEST_CASE("draw_bsp, draw_warnock, draw_painter_newell: ids first, and the old order") {
+  using ids_of_picture = irg::image<std::uint32_t>;
+  const std::vector<irg::screen_face> faces{
+      irg::make_screen_face({{0, 0}, 0.5f}, {{4096, 0}, 0.5f}, {{0, 4096}, 0.5f}, 7)};
+  const irg::cell_window window{0, 0, 16, 16};
+  const auto tree = irg::build_bsp(faces, window);
+  ids_of_picture now(16, 16, irg::no_index), before = now;
+  irg::draw_bsp(now, tree);
+  irg::draw_bsp(tree, before);
+  CHECK(now(3, 3) == 7);
+  CHECK(now == before);
+  CHECK(irg::draw_warnock(now, faces, window) == irg::draw_warnock(faces, window, before));
+  CHECK(irg::draw_painter_newell(now, faces, window) == irg::draw_painter_newell(faces, window, before));
+  CHECK(now == before);
+}

@@ -26,12 +26,15 @@ struct surroundings {
 };
 constexpr surroundings look(const place& eye, const body& m, const irg::cube_options<double>& options) {
   surroundings out;
-  irg::faces_around(eye, m, options, [&](std::size_t, const std::vector<irg::screen_face>& faces) {
-    irg::visible_polygon_map map = irg::visible_polygons(faces, irg::cell_window{0, 0, options.size, options.size});
-    for (const auto& r : map.rings)
-      if (r.number != irg::no_index) out.seen.push_back(r.number);
-    out.sides.push_back(std::move(map));
-  });
+  irg::faces_around(
+      eye, m,
+      [&](std::size_t, const std::vector<irg::screen_face>& faces) {
+        irg::visible_polygon_map map = irg::visible_polygons(faces, irg::cell_window{0, 0, options.size, options.size});
+        for (const auto& r : map.rings)
+          if (r.number != irg::no_index) out.seen.push_back(r.number);
+        out.sides.push_back(std::move(map));
+      },
+      options);
   std::sort(out.seen.begin(), out.seen.end());
   out.seen.erase(std::unique(out.seen.begin(), out.seen.end()), out.seen.end());
   return out;
@@ -152,6 +155,19 @@ TEST_CASE("faces_around: each direction shows what a ray in it meets first") {
   CHECK(judged > 1000 * times);
   CHECK(unseen == 0);
   CHECK(wrong <= judged / 500);  // near the line in which two triangles pass through each other
+}
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // the old order goes on compiling
+TEST_CASE("faces_around: without options, and in the old order") {
+  body m;
+  add(m, {{1, -1, -1}, {1, 1, -1}, {1, 0, 2}});
+  std::size_t faces[3] = {};
+  irg::faces_around(place{0, 0, 0}, m, [&](std::size_t, const auto& seen) { faces[0] += seen.size(); });
+  irg::faces_around(place{0, 0, 0}, m, [&](std::size_t, const auto& seen) { faces[1] += seen.size(); }, {1024});
+  irg::faces_around(place{0, 0, 0}, m, {1024}, [&](std::size_t, const auto& seen) { faces[2] += seen.size(); });
+  CHECK(faces[0] > 0);
+  CHECK(faces[0] == faces[1]);
+  CHECK(faces[0] == faces[2]);
 }
 
 }  // namespace

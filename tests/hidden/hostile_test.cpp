@@ -154,7 +154,7 @@ TEST_CASE("hostile faces: the eye in the plane of a face, inside a body, before 
     options.culling = irg::face_culling::none;
     irg::image<irg::rgba8> picture(40, 30);
     irg::image<float> depth(40, 30);
-    const auto stats = irg::render(method, world, {picture, depth}, options);
+    const auto stats = irg::render_with(method, world, {picture, depth}, options);
     // The z-buffer's picture.
     irg::image<irg::rgba8> want(40, 30);
     irg::image<float> want_depth(40, 30);

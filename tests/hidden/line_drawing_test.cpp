@@ -28,7 +28,7 @@ auto drawn(const irg::mesh<T>& m, irg::line_drawing_options<T> options = {}, T a
                        irg::translation(irg::vec<T, 3>{T(0.25), T(0.375), away}) * irg::rotation_x(T(0.75)) *
                        irg::rotation_y(T(0.5));
   line_drawing d;
-  irg::add_mesh(d, m, to_clip, irg::map_to_screen<T>(256, 256), options);
+  irg::add_mesh(d, m, to_clip, irg::map_to_screen<T>({256, 256}), options);
   return d;
 }
 std::int64_t count(const line_drawing& d, line_role role) { return std::count(d.roles.begin(), d.roles.end(), role); }
@@ -133,7 +133,7 @@ TEST_CASE("line_drawing: without what is beyond the picture, edges in it have th
     const irg::scene<double> s =
         test::random_scene<double>(r, 30, i % 2 ? test::positions::everywhere : test::positions::ordinary);
     const int size = static_cast<int>(r.integer(1, 64));
-    const auto mapping = irg::map_to_screen<double>(size, size);
+    const auto mapping = irg::map_to_screen<double>({size, size});
     irg::line_drawing_options<double> options{.edges = i % 3 ? drawn_edges::every : drawn_edges::features,
                                               .culling = i % 4 ? irg::face_culling::none : irg::face_culling::back};
     line_drawing all, near;
@@ -177,7 +177,7 @@ TEST_CASE("line_drawing: a face beyond the picture hides the end of an edge ther
   m.corners = {{0}, {1}, {2}, {3}, {4}, {5}, {6}, {7}, {8}};
   m.face_starts = {0, 3, 6, 9};
   line_drawing d;
-  irg::add_mesh(d, m, to_clip, irg::map_to_screen<double>(8, 8),
+  irg::add_mesh(d, m, to_clip, irg::map_to_screen<double>({8, 8}),
                 {.edges = drawn_edges::every, .frustum = irg::skipping::on});
   CHECK(d.beyond == 2);
   CHECK(d.edges.size() == 3);

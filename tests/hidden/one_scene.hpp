@@ -77,7 +77,7 @@ inline matrix to_clip() {
   return irg::perspective(0.62, double{width} / height, 0.1, 100.0) *
          irg::look_at(eye, point3{0, 0.2, 0}, irg::vec<double, 3>{0, 1, 0});
 }
-inline irg::screen_mapping<double> mapping() { return irg::map_to_screen<double>(width, height); }
+inline irg::screen_mapping<double> mapping() { return irg::map_to_screen<double>({width, height}); }
 
 /// Its faces on the screen, both sides of them.
 inline std::vector<irg::screen_face> faces_of(const bodies& s) {

@@ -12,7 +12,7 @@ TEST_CASE("painter_newell: three rods in turn are split, two through each other 
     test::face_scene_maker make(21, 64);
     const auto faces = make(kind, n);
     irg::image<std::uint32_t> ids(64, 64, irg::no_index);
-    const auto counts = irg::draw_painter_newell(faces, irg::cell_window{0, 0, 64, 64}, ids);
+    const auto counts = irg::draw_painter_newell(ids, faces, irg::cell_window{0, 0, 64, 64});
     CHECK(test::differing(ids, test::exact_ids(faces, 64, 64)) == 0);
     return counts;
   };
@@ -35,7 +35,7 @@ TEST_CASE("painter_newell: faces apart in depth are drawn as sorted, without a t
                                             static_cast<std::uint32_t>(i)));
     }
     irg::image<std::uint32_t> ids(4, 4, irg::no_index);
-    const auto c = irg::draw_painter_newell(faces, irg::cell_window{0, 0, 4, 4}, ids);
+    const auto c = irg::draw_painter_newell(ids, faces, irg::cell_window{0, 0, 4, 4});
     return std::pair{c, ids(1, 1)};
   };
   CHECK_BOTH(counts().second == 1);
@@ -51,7 +51,7 @@ TEST_CASE("painter_newell: the order of input is nothing to it; the observer see
   irg::newell_counts seen;
   test::id_image ids(48, 48, irg::no_index);
   const auto counts =
-      irg::draw_painter_newell(faces, irg::cell_window{0, 0, 48, 48}, ids,
+      irg::draw_painter_newell(ids, faces, irg::cell_window{0, 0, 48, 48},
                                [&](newell_step s, std::uint32_t, std::uint32_t) { ++seen.steps[static_cast<int>(s)]; });
   for (int i = 0; i < 10; ++i) CHECK(seen.steps[i] == counts.steps[i]);
 }

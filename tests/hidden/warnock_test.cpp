@@ -20,7 +20,7 @@ constexpr std::vector<irg::screen_face> square(float depth, std::uint32_t number
 TEST_CASE("warnock: an empty scene and a face that surrounds the window end at once") {
   constexpr auto windows = [](const std::vector<irg::screen_face>& faces) {
     irg::image<std::uint32_t> ids(16, 16, irg::no_index);
-    const auto counts = irg::draw_warnock(faces, cell_window{0, 0, 16, 16}, ids);
+    const auto counts = irg::draw_warnock(ids, faces, cell_window{0, 0, 16, 16});
     std::int64_t n = 0;
     for (const std::int64_t w : counts.windows) n += w;
     return std::pair{n, ids(15, 15)};
@@ -42,7 +42,7 @@ TEST_CASE("warnock: windows partition the picture, and end in the classical case
   irg::image<std::uint32_t> ids(61, 47, irg::no_index), times(61, 47, 0u);
   int largest_pixel = 0;
   const auto counts =
-      irg::draw_warnock(faces, cell_window{0, 0, 61, 47}, ids, [&](const cell_window& w, warnock_case c) {
+      irg::draw_warnock(ids, faces, cell_window{0, 0, 61, 47}, [&](const cell_window& w, warnock_case c) {
         if (c == warnock_case::divided) return;
         if (c == warnock_case::single_pixel)
           largest_pixel = std::max(largest_pixel, w.x_last - w.x_first + w.y_last - w.y_first);
@@ -63,7 +63,7 @@ TEST_CASE("warnock: windows of one row, one column, one pixel and none; an edge 
   for (const cell_window w :
        {cell_window{0, 3, 16, 4}, cell_window{5, 0, 6, 16}, cell_window{7, 7, 8, 8}, cell_window{4, 4, 4, 9}}) {
     test::id_image ids(16, 16, irg::no_index);
-    irg::draw_warnock(faces, w, ids);
+    irg::draw_warnock(ids, faces, w);
     for (int y = 0; y < 16; ++y)
       for (int x = 0; x < 16; ++x) {
         const bool within = x >= w.x_first && x < w.x_last && y >= w.y_first && y < w.y_last;

@@ -14,7 +14,7 @@ constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 constexpr int most_pixels = std::numeric_limits<int>::max();
 
 TEST_CASE("zbuffer_memory: the slides' values, 2048 x 1024 with 256 depths and 2^24 colours") {
-  constexpr auto table = zbuffer_memory(2048, 1024, {.depth = 256, .colours = 1 << 24});
+  constexpr auto table = zbuffer_memory({2048, 1024}, {.depth = 256, .colours = 1 << 24});
   CHECK_BOTH(table.depth == buffer_memory{8, 2097152});
   CHECK_BOTH(table.colours == buffer_memory{24, 6291456});
   CHECK_BOTH(table.colours.bytes == 3 * table.depth.bytes);
@@ -37,20 +37,20 @@ TEST_CASE("zbuffer_memory: the slides' values, bits for levels") {
 }
 
 TEST_CASE("zbuffer_memory: object references and 32-bit depths, 1024 x 768; parts of bytes count whole") {
-  constexpr auto table = zbuffer_memory(1024, 768, {.depth = std::uint64_t{1} << 32, .objects = 1000});
+  constexpr auto table = zbuffer_memory({1024, 768}, {.depth = std::uint64_t{1} << 32, .objects = 1000});
   CHECK_BOTH(table.depth == buffer_memory{32, 786432 * 4});
   CHECK_BOTH(table.objects == buffer_memory{10, 983040});
-  CHECK_BOTH(zbuffer_memory(3, 1, {.depth = 8}).depth == buffer_memory{3, 2});
-  CHECK_BOTH(zbuffer_memory(3, 3, {.depth = 2}).depth == buffer_memory{1, 2});
+  CHECK_BOTH(zbuffer_memory({3, 1}, {.depth = 8}).depth == buffer_memory{3, 2});
+  CHECK_BOTH(zbuffer_memory({3, 3}, {.depth = 2}).depth == buffer_memory{1, 2});
 }
 
 TEST_CASE("zbuffer_memory: no pixels, no levels, and more than can be counted") {
-  CHECK_BOTH(zbuffer_memory(0, 1024, {256, 256, 256}).bytes == 0);
-  CHECK_BOTH(zbuffer_memory(640, 480, {}).bytes == 0);
-  CHECK_BOTH(zbuffer_memory(most_pixels, most_pixels, {.depth = 256}).bytes ==
+  CHECK_BOTH(zbuffer_memory({0, 1024}, {256, 256, 256}).bytes == 0);
+  CHECK_BOTH(zbuffer_memory({640, 480}, {}).bytes == 0);
+  CHECK_BOTH(zbuffer_memory({most_pixels, most_pixels}, {.depth = 256}).bytes ==
              std::uint64_t{most_pixels} * std::uint64_t{most_pixels});
-  CHECK_BOTH(zbuffer_memory(most_pixels, most_pixels, {.depth = most}).bytes == most);
-  CHECK_BOTH(zbuffer_memory(most_pixels, most_pixels, {most, most, most}).bytes == most);
+  CHECK_BOTH(zbuffer_memory({most_pixels, most_pixels}, {.depth = most}).bytes == most);
+  CHECK_BOTH(zbuffer_memory({most_pixels, most_pixels}, {most, most, most}).bytes == most);
 }
 
 }  // namespace

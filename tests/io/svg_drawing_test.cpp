@@ -21,7 +21,7 @@ constexpr bool gives(std::string_view expected, Draw draw) {
   auto sink = [&](std::string_view piece) {
     for (const char c : piece) text.push_back(c);
   };
-  irg::svg_drawing drawing(sink, 20, 10, irg::rgba8{255, 255, 255, 255});
+  irg::svg_drawing drawing(sink, {20, 10}, irg::rgba8{255, 255, 255, 255});
   const std::size_t head = text.size();
   draw(drawing);
   drawing.finish();

@@ -87,3 +87,18 @@ TEST_CASE("mesh: empty, copied and compared") {
   hollow.face_starts.clear();  // as a moved-from mesh may be
   CHECK(hollow.face_count() == 0);
 }
+
+TEST_CASE("add_face: indices in braces, of any one type") {
+  constexpr auto made = [] {
+    irg::mesh<double> m;
+    m.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    irg::add_face(m, {0, 1, 2});
+    const std::size_t last = 3;
+    irg::add_face(m, {last, std::size_t{2}, std::size_t{1}, std::size_t{0}});
+    return m;
+  };
+  CHECK_BOTH(made().face_count() == 2);
+  CHECK_BOTH(made().corner(0, 2).position == 2);
+  CHECK_BOTH(made().face_size(1) == 4);
+  CHECK_BOTH(made().corner(1, 0).position == 3);
+}

@@ -25,7 +25,8 @@ static_assert(std::is_same_v<irg::sight_rules, irg::line_of_sight_options>);
 static_assert(std::is_same_v<irg::sight_sampling, irg::sight_sampling_options>);
 static_assert(std::is_same_v<irg::solvability, irg::system_status>);
 static_assert(std::is_same_v<irg::trace_limits<double>, irg::trace_options<double>>);
-static_assert(std::is_same_v<irg::transparent_settings<irg::over_in_light>, irg::transparent_options<irg::over_in_light>>);
+static_assert(
+    std::is_same_v<irg::transparent_settings<irg::over_in_light>, irg::transparent_options<irg::over_in_light>>);
 static_assert(std::is_same_v<irg::triangulation_state, irg::triangulation_status>);
 static_assert(std::is_same_v<irg::wall_rules, irg::wall_options>);
 static_assert(std::is_same_v<irg::zero_stretch<double>, irg::root_interval<double>>);

@@ -570,4 +570,11 @@ TEST_CASE("convex_spans: random rings in constant evaluation as at run time") {
   CHECK(hash_of_rings(30) == constant);
 }
 
+TEST_CASE("fill_triangle: corners in braces are in pixels") {
+  irg::image<int> image(5, 5, 0);
+  irg::fill_triangle(image, {0, 0}, {0, 4}, {4, 0}, 3);
+  CHECK(image(0, 0) == 3);
+  CHECK(image(4, 4) == 0);
+}
+
 }  // namespace

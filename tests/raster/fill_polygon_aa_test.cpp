@@ -347,4 +347,14 @@ TEST_CASE("polygon_coverage: very many vertices, and very many edges in one row"
   CHECK(sum == doctest::Approx(static_cast<double>(test::area_of(spiral))).epsilon(0.001));
 }
 
+TEST_CASE("fill_polygon_aa: a ring in braces") {
+  irg::image<irg::rgba8> image(4, 3, {0, 0, 0, 255});
+  CHECK(irg::fill_polygon_aa(image, {{1, 0}, {3, 0}, {3, 2.5}, {1, 2.5}}, fill_rule::non_zero,
+                             irg::rgba8{200, 200, 200, 255}));
+  CHECK(image(1, 1).r == 200);
+  CHECK(image(0, 0).r == 0);
+  CHECK(image(2, 2).r > 0);
+  CHECK(image(2, 2).r < 200);
+}
+
 }  // namespace

@@ -333,4 +333,13 @@ TEST_CASE("fill_polygon: in constant evaluation as at run time") {
   CHECK_BOTH(sum_of_filled() == 3 * (64 - 16) - 3 + 200);
 }
 
+TEST_CASE("fill_polygon: a ring in braces") {
+  constexpr auto filled = [] {
+    irg::image<int> image(6, 5, 0);
+    irg::fill_polygon(image, {{1, 1}, {4, 1}, {4, 3.5}, {1, 3}}, fill_rule::even_odd, 7);
+    return std::array{image(1, 1), image(3, 2), image(4, 1), image(0, 0)};
+  };
+  CHECK_BOTH(filled() == std::array{7, 7, 0, 0});
+}
+
 }  // namespace

@@ -114,3 +114,18 @@ TEST_CASE("image_view: rows padded to a multiple that is no multiple of the pixe
   const irg::image_view<const irg::rgb8> reading(reinterpret_cast<const irg::rgb8*>(bytes), 2, 2, 8);
   CHECK(reading(0, 0) == irg::rgb8{90, 91, 92});
 }
+
+TEST_CASE("image: made of a size, and a view where one is asked for") {
+  constexpr auto across = [](irg::image_view<const int> v) { return v.width(); };
+  constexpr auto down = [](irg::image_view<int> v) { return v.height(); };
+  constexpr auto sides = [=] {
+    irg::image<int> i(irg::extent2{3, 2}, 5);
+    const irg::image<int> fixed = i;
+    return i(2, 1) == 5 && across(i) == 3 && across(fixed) == 3 && down(i) == 2;
+  };
+  CHECK_BOTH(sides());
+  static_assert(!std::is_convertible_v<const irg::image<int>&, irg::image_view<int>>);
+  static_assert(!std::is_convertible_v<irg::image<int>, irg::image_view<int>>);  // it would not live long enough
+  static_assert(!std::is_convertible_v<irg::image<float>&, irg::image_view<int>>);
+  static_assert(irg::extent2{3, 2} != irg::extent2{2, 3});
+}

@@ -530,4 +530,11 @@ TEST_CASE("draw_line_aa: ends beyond the reach") {
   CHECK(far > 1000);
 }
 
+TEST_CASE("draw_line_aa: ends in braces are in pixels") {
+  irg::image<std::uint8_t> braces(9, 5, 0), points(9, 5, 0);
+  CHECK(irg::draw_line_aa(braces, {1.5, 2}, {7, 3}, std::uint8_t{255}));
+  CHECK(irg::draw_line_aa(points, irg::point<double, 2>{1.5, 2}, irg::point<double, 2>{7, 3}, std::uint8_t{255}));
+  CHECK(braces == points);
+}
+
 }  // namespace

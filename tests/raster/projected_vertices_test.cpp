@@ -56,7 +56,7 @@ constexpr auto eye_at_origin = irg::perspective(irg::pi<double> / 2, 1.0, 1.0, i
 constexpr irg::projected_vertices<double> projected(const point& p, int width = 64, int height = 32,
                                                     const irg::mat<double, 4, 4>& m = eye_at_origin) {
   const point positions[1] = {p};
-  return irg::project_vertices<double>(positions, m, irg::map_to_screen<double>(width, height));
+  return irg::project_vertices<double>(positions, m, irg::map_to_screen<double>({width, height}));
 }
 constexpr irg::screen_vertex on_screen(const point& p, int width = 64, int height = 32) {
   return projected(p, width, height).screen[0];
@@ -76,7 +76,7 @@ TEST_CASE("project_vertices: by hand") {
   constexpr auto clip = [] {
     const point positions[1] = {{3, 4, -5}};
     return irg::clip_position(
-        irg::project_vertices<double>(positions, eye_at_origin, irg::map_to_screen<double>(64, 32)), 0);
+        irg::project_vertices<double>(positions, eye_at_origin, irg::map_to_screen<double>({64, 32})), 0);
   };
   CHECK_BOTH(clip() == eye_at_origin * point{3, 4, -5});
   CHECK_BOTH(clip().w == 5);
@@ -126,7 +126,7 @@ TEST_CASE("map_to_screen: whatever is not cut can be snapped, in pictures up to 
   test::random r(4);
   for (const int width : {1, 2, 33, 1920, 32768, 65535})
     for (const int height : {1, 7, 1080, 32768, 65535}) {
-      const auto mapping = irg::map_to_screen<double>(width, height);
+      const auto mapping = irg::map_to_screen<double>({width, height});
       CHECK(mapping.guard.guard_x >= 1);
       CHECK(mapping.guard.guard_y >= 1);
       for (int i = 0; i < 200; ++i) {
@@ -186,12 +186,12 @@ int differences(int positions) {
                               irg::mat<T, 4, 4>{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, T(0x1p127f)}},
                               // z and w independent of each other: behind the eye on either side of the depth planes
                               irg::mat<T, 4, 4>{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}}) {
-    const auto mapping = irg::map_to_screen<T>(640, 480);
+    const auto mapping = irg::map_to_screen<T>({640, 480});
     const auto v = irg::project_vertices<T>(p, to_clip, mapping);
     irg::clip_code_pair any;
     for (std::size_t i = 0; i < p.size(); ++i) {
       const irg::hpoint<T, 3> clip = to_clip * p[i];
-      const irg::clip_code_pair codes = irg::classify(clip, mapping);
+      const irg::clip_code_pair codes = irg::clip_code(clip, mapping);
       const irg::screen_vertex one = codes.cut == 0 ? irg::to_screen(clip, mapping) : irg::screen_vertex{};
       wrong += !(v.codes[i] == codes) || std::memcmp(&v.screen[i], &one, sizeof one) != 0;
       any = any | codes;
@@ -207,7 +207,19 @@ TEST_CASE("project_vertices: bit for bit what to_screen and classify give one by
 }
 
 TEST_CASE("project_vertices: no positions") {
-  CHECK(irg::project_vertices<double>({}, eye_at_origin, irg::map_to_screen<double>(8, 8)).screen.empty());
+  CHECK(irg::project_vertices<double>({}, eye_at_origin, irg::map_to_screen<double>({8, 8})).screen.empty());
+}
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // the old order goes on compiling
+TEST_CASE("project_vertices: the output behind the inputs, and the old order") {
+  const std::vector<irg::point<double, 3>> positions{{0, 0, -1}, {0.5, 0.25, -2}};
+  const auto mapping = irg::map_to_screen<double>({64, 32});
+  irg::projected_vertices<double> now, before;
+  irg::project_vertices<double>(positions, eye_at_origin, mapping, now);
+  irg::project_vertices<double>(before, positions, eye_at_origin, irg::map_to_screen<double>(64, 32));
+  REQUIRE(now.screen.size() == 2);
+  CHECK(now.screen[1].position == before.screen[1].position);
+  CHECK(now.screen[1].position == irg::project_vertices<double>(positions, eye_at_origin, mapping).screen[1].position);
 }
 
 }  // namespace

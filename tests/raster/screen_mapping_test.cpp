@@ -17,7 +17,7 @@ using irg::subpixel;
 using irg::to_screen;
 using H = irg::hpoint<double, 3>;
 
-constexpr auto vga = map_to_screen<double>(640, 480);
+constexpr auto vga = map_to_screen<double>({640, 480});
 
 constexpr subpixel place(const H& p) { return to_screen(p, vga).position; }
 
@@ -28,12 +28,12 @@ TEST_CASE("screen_mapping: corners and centre of the picture, y down") {
   CHECK_BOTH(place({1, 1, 0.5, 2}) == subpixel{480 * 256, 120 * 256});
   CHECK_BOTH(to_screen(H{1, 1, 0.5, 2}, vga).depth == 0.25f);
   CHECK_BOTH(to_screen(H{1, 1, 0.5, 2}, vga).inverse_w == 0.5f);
-  constexpr auto one = map_to_screen<double>(1, 1);
+  constexpr auto one = map_to_screen<double>({1, 1});
   CHECK_BOTH(to_screen(H{0, 0, 0, 1}, one).position == subpixel{128, 128});
 }
 
 TEST_CASE("screen_mapping: snapped to the nearest 1/256 pixel, ties up, whichever side of the picture") {
-  constexpr auto wide = map_to_screen<double>(512, 512);  // x = -1 to 1 is 512 pixels: 2^-17 is half a step
+  constexpr auto wide = map_to_screen<double>({512, 512});  // x = -1 to 1 is 512 pixels: 2^-17 is half a step
   const auto x_of = [&](double x) { return to_screen(H{x, 0, 0, 1}, wide).position.x; };
   CHECK(x_of(-1 + 0x1p-17) == 1);
   CHECK(x_of(-1 + 0x1p-18) == 0);
@@ -42,8 +42,8 @@ TEST_CASE("screen_mapping: snapped to the nearest 1/256 pixel, ties up, whicheve
 }
 
 TEST_CASE("screen_mapping: the planes that a position is beyond") {
-  constexpr auto outside = [](const H& p) { return classify(p, vga).outside_planes(); };
-  constexpr auto cut = [](const H& p) { return classify(p, vga).cut_planes(); };
+  constexpr auto outside = [](const H& p) { return clip_code(p, vga).outside_planes(); };
+  constexpr auto cut = [](const H& p) { return clip_code(p, vga).cut_planes(); };
   CHECK_BOTH(outside({0, 0, 1, 2}) == clip_planes::none);
   CHECK_BOTH(outside({2, 2, 2, 2}) == clip_planes::none);  // points on a plane are inside
   CHECK_BOTH(outside({5, 0, 1, 2}) == clip_planes::right);
@@ -81,10 +81,10 @@ TEST_CASE("screen_mapping: within half a step and rounding of the true place, in
   test::random r(3);
   for (int i = 0; i < 20000; ++i) {
     const int width = static_cast<int>(r.integer(1, 65536)), height = static_cast<int>(r.integer(1, 65536));
-    const auto m = map_to_screen<double>(width, height);
+    const auto m = map_to_screen<double>({width, height});
     const double w = std::ldexp(1 + r.unit(), static_cast<int>(r.integer(-30, 30)));
     const H p{(2 * r.unit() - 1) * w, (2 * r.unit() - 1) * w, r.unit() * w, w};
-    REQUIRE(classify(p, m).cut == 0);
+    REQUIRE(clip_code(p, m).cut == 0);
     const auto v = to_screen(p, m);
     const long double x = (static_cast<long double>(p.x) / static_cast<long double>(w) + 1) * width * 128;
     const long double y = (1 - static_cast<long double>(p.y) / static_cast<long double>(w)) * height * 128;
@@ -97,7 +97,7 @@ TEST_CASE("screen_mapping: within half a step and rounding of the true place, in
 
 template <class T>
 constexpr irg::clip_code_pair code(T x, T y, T z, T w, int width = 512, int height = 512) {
-  return irg::classify(irg::hpoint<T, 3>{x, y, z, w}, irg::map_to_screen<T>(width, height));
+  return irg::clip_code(irg::hpoint<T, 3>{x, y, z, w}, irg::map_to_screen<T>({width, height}));
 }
 
 TEST_CASE("classify: the picture's planes, and the guard band 2^15 pixels about its centre") {
@@ -127,11 +127,11 @@ TEST_CASE("classify: the picture's planes, and the guard band 2^15 pixels about 
 }
 
 TEST_CASE("to_screen: 1/w stays a positive float, however far away") {
-  constexpr auto m = irg::map_to_screen<double>(64, 64);
+  constexpr auto m = irg::map_to_screen<double>({64, 64});
   CHECK_BOTH(irg::to_screen(H{0, 0, 0, 0x1p125}, m).inverse_w == 0x1p-125f);
   for (const double w : {0x1p127, 0x1p200, 0x1p1000, std::numeric_limits<double>::infinity()})
     CHECK(irg::to_screen(H{0, 0, 0, w}, m).inverse_w == 0x1p-126f);
-  CHECK(irg::to_screen(irg::hpoint<float, 3>{0, 0, 0, 0x1p127f}, irg::map_to_screen<float>(64, 64)).inverse_w ==
+  CHECK(irg::to_screen(irg::hpoint<float, 3>{0, 0, 0, 0x1p127f}, irg::map_to_screen<float>({64, 64})).inverse_w ==
         0x1p-126f);
 }
 
@@ -149,11 +149,11 @@ TEST_CASE("to_screen: within half a 256th of a pixel of the exact place, everywh
   for (int i = 0; i < rounds; ++i) {
     const int width = static_cast<int>(r.integer(1, i % 2 == 0 ? 64 : 65536)),
               height = static_cast<int>(r.integer(1, i % 3 == 0 ? 64 : 65536));
-    const auto m = irg::map_to_screen<double>(width, height);
+    const auto m = irg::map_to_screen<double>({width, height});
     const double w = std::ldexp(r.unit() + 0.5, static_cast<int>(r.integer(-30, 30)));
     const double reach_x = 32768.0 / m.half_width, reach_y = 32768.0 / m.half_height;
     const H p{(2 * r.unit() - 1) * reach_x * w * 0.999, (2 * r.unit() - 1) * reach_y * w * 0.999, r.unit() * w, w};
-    REQUIRE(irg::classify(p, m).cut == 0);
+    REQUIRE(irg::clip_code(p, m).cut == 0);
     const irg::screen_vertex v = irg::to_screen(p, m);
     const long double x = (static_cast<long double>(p.x) / static_cast<long double>(w) + 1) * width / 2,
                       y = (1 - static_cast<long double>(p.y) / static_cast<long double>(w)) * height / 2;
@@ -163,8 +163,8 @@ TEST_CASE("to_screen: within half a 256th of a pixel of the exact place, everywh
     // Outside codes agree with where it lands.
     const bool beside = x < -0.01L || x > width + 0.01L || y < -0.01L || y > height + 0.01L;
     const bool within = x > 0.01L && x < width - 0.01L && y > 0.01L && y < height - 0.01L;
-    if (beside) REQUIRE(irg::classify(p, m).outside != 0);
-    if (within) REQUIRE(irg::classify(p, m).outside == 0);
+    if (beside) REQUIRE(irg::clip_code(p, m).outside != 0);
+    if (within) REQUIRE(irg::clip_code(p, m).outside == 0);
   }
 }
 

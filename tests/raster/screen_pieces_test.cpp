@@ -16,10 +16,10 @@ using irg::screen_pieces;
 template <class T>
 using corner = irg::hpoint<T, 3>;
 
-static_assert(noexcept(clip_to_screen({corner<float>{}, {}, {}}, irg::map_to_screen<float>(8, 8), 0)));
+static_assert(noexcept(clip_to_screen({corner<float>{}, {}, {}}, irg::map_to_screen<float>({8, 8}), 0)));
 
 constexpr screen_pieces pieces_of(const corner<double>& a, const corner<double>& b, const corner<double>& c) {
-  return clip_to_screen({a, b, c}, irg::map_to_screen<double>(64, 64), 7);
+  return clip_to_screen({a, b, c}, irg::map_to_screen<double>({64, 64}), 7);
 }
 constexpr bool is_at(const irg::screen_vertex& v, int x, int y, float depth) {
   return v.position == irg::subpixel{256 * x, 256 * y} && v.depth == depth;
@@ -140,7 +140,7 @@ struct extent {
 template <class T>
 tally try_triangles(std::uint64_t seed, int count, const extent& e) {
   constexpr int size = 32;
-  const auto mapping = irg::map_to_screen<T>(size, size);  // a guard factor of 2048
+  const auto mapping = irg::map_to_screen<T>({size, size});  // a guard factor of 2048
   test::random r(seed);
   tally t;
   for (int n = 0; n < count; ++n) {
@@ -207,7 +207,7 @@ TEST_CASE("clip_to_screen: what is left covers the pixels and has the depths of 
 // Whatever comes, comes out as faces that can be drawn.
 template <class T>
 void try_hostile(std::uint64_t seed) {
-  const auto mapping = irg::map_to_screen<T>(640, 480);
+  const auto mapping = irg::map_to_screen<T>({640, 480});
   test::random r(seed);
   constexpr int most = std::numeric_limits<T>::max_exponent;
   int some = 0, many = 0, wrong = 0;

@@ -90,7 +90,7 @@ batches_of cut(const triangle_scene& s, const irg::screen_mapping<double>& mappi
                                  ? all.size()
                                  : static_cast<std::size_t>(r.integer(static_cast<std::int64_t>(first),
                                                                       static_cast<std::int64_t>(all.size())));
-    irg::project_vertices<double>(out.vertices[i], s.positions, s.to_clip, mapping);
+    irg::project_vertices<double>(s.positions, s.to_clip, mapping, out.vertices[i]);
     out.batches.push_back({&out.vertices[i], all.subspan(first, last - first), static_cast<std::uint32_t>(first),
                            static_cast<std::uint32_t>(i)});
     first = last;
@@ -127,13 +127,13 @@ drawn<P> draw(const triangle_scene& s, const batches_of& b, const Shading& shadi
         d.colour(x, y) = {static_cast<float>(r.unit()), -1, -2};
     }
   d.stats = irg::shade_batches<Order, double>(irg::render_target{d.colour, d.depth},
-                                              {b.batches, irg::map_to_screen<double>(s.width, s.height)}, shading,
+                                              {b.batches, irg::map_to_screen<double>({s.width, s.height})}, shading,
                                               settings, executor);
   return d;
 }
 
 long long fast_equals_plain(const triangle_scene& s, test::random& r, irg::clearing clear, irg::face_culling culling) {
-  const batches_of b = cut(s, irg::map_to_screen<double>(s.width, s.height), r);
+  const batches_of b = cut(s, irg::map_to_screen<double>({s.width, s.height}), r);
   const recorded numbers{b.shown, b.backs_from};
   const std::uint64_t seed = r.next();
   using fast = irg::nearer_is_greater;

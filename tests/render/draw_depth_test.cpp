@@ -20,7 +20,7 @@ constexpr std::pair<irg::image<float>, irg::render_counts> depths(const triangle
                                                                   const skip_options& skip = {},
                                                                   const E& executor = {}) {
   irg::image<float> depth(s.width, s.height, 0.5f);
-  const auto mapping = irg::map_to_screen<T>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<T>({s.width, s.height});
   const auto positions = test::positions_in<T>(s);
   const auto vertices = irg::project_vertices<T>(positions, test::matrix_in<T>(s), mapping);
   const auto stats = irg::draw_depth<Order, T>(depth, {vertices, s.triangles, mapping},
@@ -81,7 +81,7 @@ TEST_CASE("draw_depth: onto depths that are there already") {
   test::scene_maker one(r, scene_kind::crossing, 100, 80);
   triangle_scene s = one(20);
   const auto whole = depths(s, face_culling::none).first;
-  const auto mapping = irg::map_to_screen<double>(100, 80);
+  const auto mapping = irg::map_to_screen<double>({100, 80});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   irg::image<float> depth(100, 80, 0.0f);
   const std::span<const irg::triangle_indices> all(s.triangles);
@@ -92,7 +92,7 @@ TEST_CASE("draw_depth: onto depths that are there already") {
 }
 
 TEST_CASE("draw_depth: nothing to draw, and rows wider than the picture") {
-  const auto mapping = irg::map_to_screen<double>(70, 20);
+  const auto mapping = irg::map_to_screen<double>({70, 20});
   const irg::projected_vertices<double> none;
   std::vector<float> memory(80 * 20, 7.0f);
   irg::image_view<float> depth(memory.data(), 70, 20, 80 * 4);

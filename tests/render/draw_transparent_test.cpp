@@ -64,7 +64,7 @@ template <class Order, depth_test Test = depth_test::nearer, class Blend = irg::
           class E = irg::sequential>
 constexpr picture blended(picture p, const triangle_scene& s, const transparent_options<Blend>& settings = {},
                           const E& executor = {}) {
-  const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<double>({s.width, s.height});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   const batch one[1] = {{&vertices, s.triangles, 0}};
   p.stats = irg::draw_transparent<Order, Test, double>(irg::render_target{p.colour, p.depth}, {one, mapping}, colours,
@@ -201,7 +201,7 @@ constexpr rgba8 through(std::initializer_list<pane> panes, float wall_depth = 0.
   }
   irg::image<rgba8> colour(1, 1, {0, 0, 0, 255});
   irg::image<float> depth(1, 1, wall_depth);
-  const auto mapping = irg::map_to_screen<double>(1, 1);
+  const auto mapping = irg::map_to_screen<double>({1, 1});
   const auto vertices = irg::project_vertices<double>(
       positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const batch one[1] = {{&vertices, triangles, 0}};
@@ -277,7 +277,7 @@ TEST_CASE("draw_transparent: opacity of each vertex, in two batches") {
   const irg::point<double, 3> positions[] = {{-1, -1, -2}, {3, -1, -2}, {-1, 3, -2}};
   const std::array<float, 4> values[] = {{1, 1, 1, 0}, {1, 1, 1, 1}, {1, 1, 1, 0}};
   const irg::triangle_indices triangles[] = {{{0, 1, 2}}};
-  const auto mapping = irg::map_to_screen<double>(16, 16);
+  const auto mapping = irg::map_to_screen<double>({16, 16});
   const auto vertices = irg::project_vertices<double>(
       positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   irg::image<rgba8> colour(16, 16, {0, 0, 0, 255});
@@ -300,7 +300,7 @@ TEST_CASE("draw_transparent: opacity of each vertex, in two batches") {
 TEST_CASE("draw_transparent: called with defaults for order, test and blending") {
   const irg::point<double, 3> positions[] = {{-1, -1, -2}, {3, -1, -2}, {-1, 3, -2}};
   const irg::triangle_indices triangles[] = {{{0, 1, 2}}};
-  const auto mapping = irg::map_to_screen<double>(2, 2);
+  const auto mapping = irg::map_to_screen<double>({2, 2});
   const auto vertices = irg::project_vertices<double>(
       positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const std::vector<batch> panes{{&vertices, triangles}};
@@ -315,7 +315,7 @@ TEST_CASE("draw_transparent: called with defaults for order, test and blending")
 TEST_CASE("draw_transparent: pictures of no size, batches of no triangles") {
   irg::image<rgba8> colour;
   irg::image<float> depth;
-  const auto mapping = irg::map_to_screen<double>(1, 1);
+  const auto mapping = irg::map_to_screen<double>({1, 1});
   CHECK(irg::draw_transparent(irg::render_target{colour, depth}, {{}, mapping}, colours) == irg::render_counts{});
   const auto vertices =
       irg::project_vertices<double>({}, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);

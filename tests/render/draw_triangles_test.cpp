@@ -61,7 +61,7 @@ template <class Order = irg::nearer_is_greater, class E = irg::sequential>
 constexpr marks draw(const soup& s, irg::face_culling culling = irg::face_culling::none,
                      const irg::skip_options& skip = {}, const E& executor = {}) {
   marks m(s.width, s.height);
-  const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<double>({s.width, s.height});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   const auto shader = [](std::uint32_t i, irg::facing side) { return mark_shader{i + 1, side}; };
   m.stats =
@@ -145,7 +145,7 @@ struct agreement {
 // drawn, their depths must lie within 8 ulp of a float, 4 for each.
 void compare_with_definition(const soup& s, irg::face_culling culling, agreement& sum) {
   const marks m = draw(s, culling);
-  const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<double>({s.width, s.height});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   const std::size_t pixels = static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height);
   std::vector<long double> best(pixels, 0);
@@ -699,7 +699,7 @@ TEST_CASE("shade_triangles: every executor gives the same bytes and counts") {
 
 TEST_CASE("shade_triangles: without a background it adds to what is there") {
   const soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}, {{{0, 1, 2}}}, eye_at_origin(), 16, 16};
-  const auto mapping = irg::map_to_screen<double>(16, 16);
+  const auto mapping = irg::map_to_screen<double>({16, 16});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   irg::image<int> colour(16, 16, 7);
   irg::image<float> depth(16, 16, 0.0f);

@@ -32,7 +32,7 @@ struct given {
   std::vector<std::uint32_t> place;  // of each triangle of the scene among the mixed ones
 
   constexpr given(const test::triangle_scene& s, int bad_for_each)
-      : scene(s), mapping(irg::map_to_screen<double>(s.width, s.height)) {
+      : scene(s), mapping(irg::map_to_screen<double>({s.width, s.height})) {
     vertices = irg::project_vertices<double>(scene.positions, scene.to_clip, mapping);
     const auto n = static_cast<std::uint32_t>(scene.positions.size());
     const std::uint32_t beyond[] = {n, n + 1, 0x7fffffff, 0x80000000, 0x80000001, 0xffffffff};
@@ -189,7 +189,7 @@ TEST_CASE("indices: edges to vertices that are not there are no lines") {
   irg::add_face(bad, std::vector<std::uint32_t>{0, 1, 2});
   irg::add_face(bad, std::vector<std::uint32_t>{2, 0xffffffff, 4});
   irg::add_face(bad, std::vector<std::uint32_t>{0x80000000, 7, 5, 4});
-  const auto mapping = irg::map_to_screen<double>(40, 30);
+  const auto mapping = irg::map_to_screen<double>({40, 30});
   const auto vertices = irg::project_vertices<double>(good.positions, test::square_view(0.125), mapping);
   for (const face_culling culling : {face_culling::back, face_culling::none}) {
     irg::image<int> expected(40, 30, 0), drawn = expected;

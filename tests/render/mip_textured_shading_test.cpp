@@ -47,7 +47,7 @@ struct surface {
   std::vector<point> positions;
   std::vector<textured_vertex> vertices;
   std::vector<irg::triangle_indices> triangles;
-  irg::screen_mapping<double> mapping = irg::map_to_screen<double>(width, height);
+  irg::screen_mapping<double> mapping = irg::map_to_screen<double>({width, height});
   irg::projected_vertices<double> projected{};
   constexpr batch project() {
     projected = irg::project_vertices<double>(positions, view(), mapping);
@@ -111,7 +111,7 @@ struct level_maker {
   struct shader {
     irg::mip_textured_shader of;
     int size;
-    float operator()(const irg::pixel_weights<float>& at) const { return of.level(at, size, size); }
+    float operator()(const irg::pixel_weights<float>& at) const { return of.level(at, {size, size}); }
   };
   shader operator()(const batch& b, std::uint32_t triangle, irg::facing side) const {
     return {of(b, triangle, side), size};
@@ -262,7 +262,7 @@ constexpr rgba8 square_at(int x, int y, int size, irg::texture_sampler sampler, 
     if ((i / 32 + i % 8 / 4) % 2 != 0) texels(i % 8, i / 8) = {0, 0, 0, 255};
   const auto levels = irg::make_mip_pyramid(texels);
   const irg::mip_pyramid<irg::rgb<float>> none;
-  const auto mapping = irg::map_to_screen<double>(size, size);
+  const auto mapping = irg::map_to_screen<double>({size, size});
   const auto projected = irg::project_vertices<double>(
       positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const irg::textured_vertices objects[1] = {{vertices}};

@@ -63,7 +63,7 @@ object_picture draw_objects(const body_scene<T>& s, std::span<const std::uint32_
                             const irg::skip_options& skip) {
   object_picture p{irg::image<std::uint32_t>(s.width, s.height, 0), irg::image<float>(s.width, s.height, 0)};
   if (s.width == 0 || s.height == 0) return p;
-  const auto mapping = irg::map_to_screen<T>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<T>({s.width, s.height});
   std::vector<irg::projected_vertices<T>> vertices;
   std::vector<irg::triangle_batch<T>> batches;
   std::vector<std::uint32_t> object_of;
@@ -203,7 +203,7 @@ void never_leaves_out_what_is_seen(std::uint64_t seed, int scenes) {
       for (int x = 0; x < s.width; ++x)
         if (all.object(x, y) != irg::no_index) seen[all.object(x, y)] = 1;
 
-    irg::occlusion_culling<T, Order> culling(s.to_clip, s.width, s.height);
+    irg::occlusion_culling<T, Order> culling(s.to_clip, {s.width, s.height});
     std::vector<std::uint32_t> kept;
     if (i % 2 == 0) {  // those chosen hide
       kept = culling.visible_objects(objects, s.culling);
@@ -295,7 +295,7 @@ constexpr irg::box<double, 3> cube(double x, double y, double z, double half) {
 constexpr bool hidden_by_wall(const irg::box<double, 3>& b,
                               std::span<const triangle_indices> triangles = wall_triangles,
                               face_culling culling = face_culling::back) {
-  irg::occlusion_culling<double> c(square_view<double>(), 64, 64);
+  irg::occlusion_culling<double> c(square_view<double>(), {64, 64});
   c.add_occluder(wall_corners, triangles, culling);
   return c.hides(b);
 }
@@ -326,19 +326,19 @@ TEST_CASE("occlusion culling: boxes by hand") {
 TEST_CASE("occlusion culling: nothing to choose from, no picture, one pixel") {
   using culling_of = irg::occlusion_culling<float>;
   const auto view = square_view<float>();
-  CHECK(culling_of(view, 64, 64).choose_occluders({}).empty());
-  CHECK(culling_of(view, 64, 64).visible_objects({}).empty());
+  CHECK(culling_of(view, {64, 64}).choose_occluders({}).empty());
+  CHECK(culling_of(view, {64, 64}).visible_objects({}).empty());
   const irg::object_extent<float> large{{{-9, -9, -5}, {9, 9, -4}}, 2}, detailed{{{-9, -9, -5}, {9, 9, -4}}, 5000};
   const irg::object_extent<float> two[2] = {detailed, large}, none[2] = {detailed, {{}, 0}};
-  CHECK(culling_of(view, 64, 64).choose_occluders({&large, 1}).empty());
-  CHECK(culling_of(view, 64, 64).choose_occluders(two) == std::vector<std::uint32_t>{1});
-  CHECK(culling_of(view, 64, 64).choose_occluders(none).empty());
+  CHECK(culling_of(view, {64, 64}).choose_occluders({&large, 1}).empty());
+  CHECK(culling_of(view, {64, 64}).choose_occluders(two) == std::vector<std::uint32_t>{1});
+  CHECK(culling_of(view, {64, 64}).choose_occluders(none).empty());
   scene_maker<float> make{test::random(9)};
   for (const auto& [width, height] : {std::pair{0, 0}, {0, 5}, {5, 0}, {1, 1}, {1, 100}}) {
     body_scene<float> s = make(60);
     s.width = width;
     s.height = height;
-    culling_of c(s.to_clip, width, height);
+    culling_of c(s.to_clip, {width, height});
     const auto objects = s.objects();
     for (const auto& o : objects) c.add_occluder(o.positions, o.triangles);
     std::vector<std::uint32_t> kept;
@@ -352,7 +352,7 @@ TEST_CASE("occlusion culling: nothing to choose from, no picture, one pixel") {
 }
 
 TEST_CASE("occlusion culling: forgotten occluders hide nothing, and the memory serves again") {
-  irg::occlusion_culling<double> c(square_view<double>(), 64, 64);
+  irg::occlusion_culling<double> c(square_view<double>(), {64, 64});
   const irg::box<double, 3> behind = cube(0, 0, -6, 1);
   CHECK(!c.hides(behind));
   c.add_occluder(wall_corners, wall_triangles);

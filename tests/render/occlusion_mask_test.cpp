@@ -29,7 +29,7 @@ struct drawn_scene {
 
   drawn_scene(const triangle_scene& s, face_culling culling)
       : positions(test::positions_in<T>(s)), to_clip(test::matrix_in<T>(s)),
-        mapping(irg::map_to_screen<T>(s.width, s.height)),
+        mapping(irg::map_to_screen<T>({s.width, s.height})),
         vertices(irg::project_vertices<T>(positions, to_clip, mapping)), depth(s.width, s.height, 0.5f) {
     irg::draw_depth<Order, T>(depth, {vertices, s.triangles, mapping}, {culling, {}, irg::clearing::before_drawing});
   }
@@ -210,7 +210,7 @@ struct answers {
 
 constexpr answers ask_wall() {
   const triangle_scene s = wall();
-  const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<double>({s.width, s.height});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   irg::occlusion_mask<> mask(s.width, s.height);
   const auto drawn = mask.draw<double>(vertices, s.triangles, mapping);
@@ -249,7 +249,7 @@ TEST_CASE("occlusion_mask: a wall and boxes about it, in constant evaluation as 
 
 TEST_CASE("occlusion_mask: rectangles, clearing, and masks without pixels") {
   const triangle_scene s = wall();
-  const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<double>({s.width, s.height});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   irg::occlusion_mask<> mask(s.width, s.height);
   // Nothing is drawn: only what lies at the farthest depth is hidden.
@@ -280,7 +280,7 @@ TEST_CASE("occlusion_mask: rectangles, clearing, and masks without pixels") {
 TEST_CASE("occlusion_mask: drawing again, in parts and in any order, comes to the same") {
   test::random r(421);
   const triangle_scene s = test::scene_maker(r, scene_kind::any, 200, 150)(200);
-  const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<double>({s.width, s.height});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   irg::occlusion_mask<> whole(200, 150), parts(200, 150);
   whole.draw<double>(vertices, s.triangles, mapping, face_culling::none);

@@ -25,7 +25,7 @@ TEST_CASE("pick: the object, face and point of every pixel, as the visibility bu
   irg::image<std::uint32_t> ids(width, height, irg::no_index);
   irg::image<float> depth(width, height);
   std::vector<irg::triangle_batch<double>> batches;
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   std::vector<irg::projected_vertices<double>> vertices;
   for (auto& o : ready.objects)
     vertices.push_back(
@@ -80,7 +80,7 @@ TEST_CASE("pick: of faces whose depths are equal but for rounding the one that i
     s.view.eye = {0, 0, 4};
     s.view.near_distance = 1;
     auto ready = irg::prepare_scene(s);
-    const auto mapping = irg::map_to_screen<double>(12, 12);
+    const auto mapping = irg::map_to_screen<double>({12, 12});
     const auto vertices =
         irg::project_vertices<double>(ready.objects[0].body.positions, irg::view_projection(s.view, 1), mapping);
     const irg::triangle_batch<double> batch[]{{&vertices, ready.objects[0].body.triangles, 0, 0}};
@@ -96,6 +96,18 @@ TEST_CASE("pick: of faces whose depths are equal but for rounding the one that i
       }
   }
   CHECK(seen > 500);
+}
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // the old order goes on compiling
+TEST_CASE("pick: a size that is a cell is the old form") {
+  irg::scene<double> s;
+  s.objects.push_back({irg::shape_cube<double>()});
+  s.view.eye = {0.3, 0.2, 5};
+  auto ready = irg::prepare_scene(s);
+  const irg::extent2 size{40, 30};
+  CHECK(irg::pick(s, size, {20, 14}));
+  CHECK(irg::pick(ready, size, {20, 14}) == irg::pick(ready, irg::cell{40, 30}, {20, 14}));
+  CHECK(irg::pick(s, size, {20, 14}) == irg::pick(s, irg::cell{40, 30}, {20, 14}));
 }
 
 }  // namespace

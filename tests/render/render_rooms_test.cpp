@@ -131,7 +131,7 @@ TEST_CASE("visible_rooms: an eye in no room, parallel rays, and no rooms at all"
   auto rooms = random_rooms<double>(r, 3);
   const irg::cell_window picture{0, 0, 80, 60};
   const auto all_are_seen = [&] {
-    const auto windows = irg::visible_rooms(rooms.plan, rooms.doors, rooms.world.view, 80, 60);
+    const auto windows = irg::visible_rooms(rooms.plan, rooms.doors, rooms.world.view, {80, 60});
     bool all = windows.size() == rooms.plan.cells.size();
     for (const auto& w : windows) all = all && w == picture;
     return all;

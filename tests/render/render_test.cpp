@@ -372,4 +372,16 @@ TEST_CASE("render: draws into views, upside down too") {
               (x < 24 ? expected.picture.colour(x, y) : irg::rgba8{7, 7, 7, 7}));
 }
 
+template <class Colour, class Depth>
+concept renders_into = requires(const irg::scene<double>& s, Colour& colour, Depth& depth) {
+  irg::render(s, {colour, depth}, {.style = irg::picture_style::flat});
+};
+using pixels = irg::image<irg::rgba8>;
+using depths = irg::image<float>;
+static_assert(renders_into<pixels, depths> && renders_into<pixels, irg::image_view<float>>);
+static_assert(renders_into<irg::image_view<irg::rgba8>, depths>);
+static_assert(renders_into<const irg::image_view<irg::rgba8>, irg::image_view<float>>);
+static_assert(!renders_into<depths, pixels> && !renders_into<const pixels, depths>);
+static_assert(!renders_into<irg::image<irg::rgb8>, depths>);
+
 }  // namespace

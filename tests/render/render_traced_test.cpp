@@ -29,9 +29,10 @@ irg::scene<double> world() {
 using picture = irg::image<irg::rgba8>;
 
 picture traced(const irg::scene<double>& s, const std::vector<irg::optics<double>>& optics,
-               const irg::traced_options<double>& options, int threads = 1) {
+               irg::traced_options<double> options, int threads = 1) {
   picture p(width, height);
-  irg::render_traced<double>(s, optics, p, options, irg::parallel{threads});
+  options.optics = optics;
+  irg::render_traced(s, p, options, irg::parallel{threads});
   return p;
 }
 
@@ -60,7 +61,7 @@ TEST_CASE("render_traced: the bytes of render() where rays add nothing, in every
     irg::render(s, {expected, depth}, options);
     CHECK((traced(s, {}, rays) == expected));
     picture by_tree(width, height);
-    irg::render(irg::ray_tracing<>{}, s, {by_tree, depth}, options);
+    irg::render_with(irg::ray_tracing<>{}, s, {by_tree, depth}, options);
     CHECK((by_tree == expected));
   }
 }
@@ -111,7 +112,7 @@ TEST_CASE("render_traced: threads, samples, shadows, mirrors and glass") {
   picture p(3, 1);
   irg::traced_options<double> on_black = plain(2);
   on_black.colours.background = {0, 0, 0, 255};
-  irg::render_traced<double>(half, {}, p, on_black);
+  irg::render_traced(half, p, on_black);
   CHECK(p(0, 0) == irg::rgba8{0, 0, 0, 255});
   CHECK(p(1, 0) == irg::encode(irg::rgb<float>{0.5f, 0.5f, 0.5f}));
   CHECK(p(2, 0) == irg::rgba8{255, 255, 255, 255});
@@ -119,17 +120,28 @@ TEST_CASE("render_traced: threads, samples, shadows, mirrors and glass") {
 
 TEST_CASE("render_traced: no pixels, no objects, reports") {
   picture nothing(0, 0);
-  CHECK(irg::render_traced<double>(world(), {}, nothing).drawn == 0);
+  CHECK(irg::render_traced(world(), nothing).drawn == 0);
   picture empty(2, 2);
-  irg::render_traced<double>(irg::scene<double>{}, {}, empty);
+  irg::render_traced(irg::scene<double>{}, empty);
   CHECK(empty(1, 1) == irg::picture_colours().background);
   picture p(width, height);
   std::atomic<std::size_t> done = 0;
   const irg::parallel threads{2};
   const auto report = [&](std::size_t, std::size_t) { ++done; };
-  irg::render_traced<double>(world(), {}, p, {}, irg::reporting{threads, report});
+  irg::render_traced(world(), p, {}, irg::reporting{threads, report});
   CHECK(done > 0);
   CHECK((p == traced(world(), {}, {})));
+}
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // the old order goes on compiling
+TEST_CASE("render_traced: optics among the options, and the old order") {
+  const std::vector<irg::optics<double>> optics(1, {{0.5, 0.5, 0.5}, {}, 1});
+  picture now(width, height), before(width, height);
+  irg::render_traced(world(), now, {.optics = optics});
+  irg::render_traced<double>(world(), optics, before);
+  CHECK((now == before));
+  irg::render_traced<double>(world(), {}, before);
+  CHECK_FALSE((now == before));
 }
 
 }  // namespace

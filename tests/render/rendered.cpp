@@ -9,7 +9,7 @@ template <class World>
 irg::render_counts draw(irg::image_view<irg::rgba8> colour, irg::image<float>& depth, World& world,
                         const irg::render_options& options, const any_executor& executor,
                         const any_observer& observer) {
-  return irg::render(world, irg::render_target{colour, depth}, options, executor, [&](irg::render_stage stage) {
+  return irg::render(world, {colour, depth}, options, executor, [&](irg::render_stage stage) {
     if (observer) observer(stage);
   });
 }

@@ -36,7 +36,7 @@ void check_pictures() {
     if (view >= 6) world.view.projection = irg::projection_kind::orthographic;
     if (view == 7) world.view.projection = irg::projection_kind::oblique;
     if (view >= 6) world.view.near_distance = T(-20), world.view.far_distance = T(20);
-    const irg::render_counts by_tree = irg::render(tree, world, {colour, depth});
+    const irg::render_counts by_tree = irg::render_with(tree, world, {colour, depth});
     irg::render(world, {other, other_depth});
     CHECK(by_tree.drawn > 500);
     for (int y = 0; y < height; ++y)
@@ -52,6 +52,20 @@ void check_pictures() {
 TEST_CASE("render by a scene's tree: the z-buffer's picture from every eye, but for snapped ties") {
   check_pictures<double>();
   check_pictures<float>();
+}
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // the old order goes on compiling
+TEST_CASE("render_with: trees and methods, once called render") {
+  irg::scene<double> world = bodies<double>();
+  world.view.eye = {4, 2, 1};
+  const auto tree = irg::make_scene_bsp(world);
+  irg::image<irg::rgba8> now(40, 30), before(40, 30);
+  irg::image<float> depth(40, 30);
+  CHECK(irg::render_with(tree, world, {now, depth}) == irg::render(tree, world, {before, depth}));
+  CHECK(now == before);
+  irg::render_with(irg::ray_casting<>{}, world, {now, depth}, {.style = irg::picture_style::flat});
+  irg::render(irg::ray_casting<>{}, world, {before, depth}, {.style = irg::picture_style::flat});
+  CHECK(now == before);
 }
 
 }  // namespace

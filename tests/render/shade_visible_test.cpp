@@ -32,7 +32,7 @@ TEST_CASE("shade_visible: the ids of draw_visibility become the picture of shade
     const int width = static_cast<int>(r.integer(1, 140)), height = static_cast<int>(r.integer(1, 90));
     const auto to_clip = irg::perspective(1.2, static_cast<double>(width) / height, 0.3, 50.0) *
                          irg::translation(irg::vec<double, 3>{0, 0, -1.5});
-    const auto mapping = irg::map_to_screen<double>(width, height);
+    const auto mapping = irg::map_to_screen<double>({width, height});
     const auto first = irg::make_drawable(test::random_mesh<double>(r, 12, test::positions::ordinary));
     const auto second = irg::make_drawable(test::random_mesh<double>(r, 5, test::positions::ordinary));
     const auto a = irg::project_vertices<double>(first.positions, to_clip, mapping),
@@ -65,7 +65,7 @@ TEST_CASE("shade_visible: where two pieces of a triangle cover a pixel, the near
     for (int k = 0; k < 4; ++k) to_clip(k, i) = corner[i][k];
   const std::vector<irg::point<double, 3>> units{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<irg::triangle_indices> triangle{{{0, 1, 2}}};
-  const auto mapping = irg::map_to_screen<double>(74, 1);
+  const auto mapping = irg::map_to_screen<double>({74, 1});
   const auto vertices = irg::project_vertices<double>(units, to_clip, mapping);
   const auto pieces = irg::clip_to_screen(corner, mapping, 0);
   int most = 0;

@@ -70,7 +70,7 @@ TEST_CASE("streamed_rows: a row is copied, and nothing else is touched") {
 TEST_CASE("streamed_rows: a picture that is streamed has the pixels of one that is drawn pixel by pixel") {
   constexpr int width = 1201, height = 900;
   static_assert(std::int64_t{width} * height >= detail::streamed_pixels);
-  const screen_mapping<float> mapping = map_to_screen<float>(width, height);
+  const screen_mapping<float> mapping = map_to_screen<float>({width, height});
   test::random r(2);
   std::vector<point<float, 3>> positions;
   std::vector<triangle_indices> indices;
@@ -87,7 +87,7 @@ TEST_CASE("streamed_rows: a picture that is streamed has the pixels of one that 
     indices.push_back({{3 * i, 3 * i + 1, 3 * i + 2}});
   }
   projected_vertices<float> vertices;
-  project_vertices<float>(vertices, positions, identity_matrix<float, 4>(), mapping);
+  project_vertices<float>(positions, identity_matrix<float, 4>(), mapping, vertices);
   const batch all[1] = {{&vertices, indices, 0, 0}};
   draw_options<rgba8> settings;
   settings.culling = face_culling::none;

@@ -182,7 +182,7 @@ TEST_CASE("render shows the exact picture, and the textbook's z-buffer the same 
     test::canvas book(size, size);
     irg::image<std::uint32_t> ids(size, size, irg::no_index);
     exact_picture exact;
-    irg::render(textbook_method{&ids, &exact}, made.world(), {book.colour, book.depth}, options);
+    irg::render_with(textbook_method{&ids, &exact}, made.world(), {book.colour, book.depth}, options);
 
     // Colours tell the faces apart: one of each for every id that is seen, and none twice.
     std::map<std::uint32_t, std::uint32_t> id_of;

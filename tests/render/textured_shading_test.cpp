@@ -47,7 +47,7 @@ constexpr rgba8 square_at(int x, int y, irg::texture_sampler sampler, irg::rgb<f
   const std::vector<textured_vertex> vertices{
       irg::make_textured_vertex(0, 0, light), irg::make_textured_vertex(1, 0, light),
       irg::make_textured_vertex(0, 1, light), irg::make_textured_vertex(1, 1, light)};
-  const auto mapping = irg::map_to_screen<double>(4, 4);
+  const auto mapping = irg::map_to_screen<double>({4, 4});
   const auto projected = irg::project_vertices<double>(
       positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const auto picture = chequers();
@@ -150,7 +150,7 @@ TEST_CASE("textured_shading: u and v within 4e-7 of the exact ones where the w o
   long double worst = 0;
   for (int i = 0; i < 120; ++i) {
     // Three points of the picture, each at a distance of its own: 1 to 1e5 by powers of ten.
-    const auto mapping = irg::map_to_screen<double>(size, size);
+    const auto mapping = irg::map_to_screen<double>({size, size});
     std::vector<point> positions;
     std::vector<textured_vertex> vertices;
     for (int k = 0; k < 3; ++k) {
@@ -210,7 +210,7 @@ TEST_CASE("textured_shading: the fast way equals the plain one, several textures
   }
   for (int i = 0; i < 60; ++i) {
     const int width = static_cast<int>(r.integer(1, 150)), height = static_cast<int>(r.integer(1, 100));
-    const auto mapping = irg::map_to_screen<double>(width, height);
+    const auto mapping = irg::map_to_screen<double>({width, height});
     std::vector<point> positions[2];
     std::vector<textured_vertex> front[2], back;
     std::vector<irg::triangle_indices> triangles[2];

@@ -31,7 +31,7 @@ struct batches_of {
   std::array<irg::triangle_batch<T>, 2> batches;
 
   explicit constexpr batches_of(const triangle_scene& s)
-      : positions(test::positions_in<T>(s)), mapping(irg::map_to_screen<T>(s.width, s.height)),
+      : positions(test::positions_in<T>(s)), mapping(irg::map_to_screen<T>({s.width, s.height})),
         vertices(irg::project_vertices<T>(positions, test::matrix_in<T>(s), mapping)) {
     const std::span<const irg::triangle_indices> all(s.triangles);
     const std::size_t half = all.size() / 2;
@@ -132,7 +132,7 @@ TEST_CASE("draw_visibility: onto a buffer that is kept, later drawing wins only 
 
 TEST_CASE("barycentrics_at: nothing for numbers and pixels that are not the triangle's") {
   const triangle_scene s{{{-1, -1, -2}, {1, -1, -2}, {-1, 1, -2}}, {{{0, 1, 2}}}, test::square_view(0.125), 16, 16};
-  const auto mapping = irg::map_to_screen<double>(16, 16);
+  const auto mapping = irg::map_to_screen<double>({16, 16});
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   const irg::triangle_batch<double> batch{&vertices, s.triangles, 5};
   CHECK(irg::barycentrics_at(batch, mapping, 5, 4, 11).has_value());

@@ -394,7 +394,7 @@ TEST_CASE("visible triangle: the same in one batch and in several") {
     triangle_scene s = random_scene(r, i, 6);
     for (std::size_t k = s.triangles.size() / 2; k-- > 0;) s.triangles.push_back(s.triangles[k]);  // ties
     const test::id_picture expected = test::visible_ids(s);
-    const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+    const auto mapping = irg::map_to_screen<double>({s.width, s.height});
     const auto count = static_cast<std::int64_t>(s.triangles.size());
     const auto cut = static_cast<std::size_t>(r.integer(0, count)),
                end = static_cast<std::size_t>(r.integer(static_cast<std::int64_t>(cut), count));
@@ -464,7 +464,7 @@ TEST_CASE("visible triangle: 100 orders of the triangles, one depth buffer and o
 
 // How many triangles are cut and cover a pixel's centre, and how many are cut and have one in the box of what is left.
 std::pair<std::int64_t, std::int64_t> cut_triangles(const triangle_scene& s) {
-  const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<double>({s.width, s.height});
   std::vector<int> found(s.triangles.size(), 0);
   for (const test::snapped_triangle& t : test::snapped_triangles(s, face_culling::none)) {
     bool cut = false;

@@ -21,7 +21,7 @@ constexpr irg::weight_derivatives derivatives_of(const point& a, const point& b,
   irg::mat<T, 4, 4> view = irg::perspective(irg::pi<T> / T(2), T(4) / T(3), T(0.5), T(1000));
   view = view * static_cast<T>(scale);
   const std::vector<irg::triangle_indices> triangles{{{0, 1, 2}}};
-  const auto mapping = irg::map_to_screen<T>(64, 48);
+  const auto mapping = irg::map_to_screen<T>({64, 48});
   const auto projected = irg::project_vertices<T>(positions, view, mapping);
   return irg::make_weight_derivatives(irg::triangle_batch<T>{&projected, triangles}, 0, mapping);
 }

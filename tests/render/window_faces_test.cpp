@@ -70,7 +70,7 @@ int pixels_that_differ(const Method& method, const irg::scene<double>& world, co
                        const test::canvas& expected) {
   const int width = expected.colour.width(), height = expected.colour.height();
   test::canvas drawn(width, height);
-  irg::render(method, world, {drawn.colour, drawn.depth}, options);
+  irg::render_with(method, world, {drawn.colour, drawn.depth}, options);
   int n = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
@@ -127,7 +127,8 @@ TEST_CASE("hidden-surface methods: one that follows the picture's rule gives the
     const int width = static_cast<int>(r.integer(1, 150)), height = static_cast<int>(r.integer(1, 100));
     const auto expected = test::render(world, width, height, options);
     test::canvas drawn(width, height);
-    const auto stats = irg::render(nearest_of_all{}, world, {drawn.colour, drawn.depth}, options, irg::parallel{2});
+    const auto stats =
+        irg::render_with(nearest_of_all{}, world, {drawn.colour, drawn.depth}, options, irg::parallel{2});
     REQUIRE(drawn == expected.picture);
     CHECK(stats.pixels.shaded == expected.stats.pixels.shaded);
     CHECK(stats.drawn == expected.stats.drawn);
@@ -142,16 +143,17 @@ TEST_CASE("hidden-surface methods: what covers nothing is not drawn, whatever a 
   world.objects.push_back({irg::shape_cube<double>()});
   world.view.eye = {2, 3, 5};
   test::canvas nothing(80, 60), beside(80, 60), unknown(80, 60);
-  irg::render(nothing_at_all{}, world, {nothing.colour, nothing.depth});
+  irg::render_with(nothing_at_all{}, world, {nothing.colour, nothing.depth});
   CHECK(nothing.colour(40, 30) == irg::picture_colours{}.background);
-  CHECK(irg::render(everywhere{12345}, world, {unknown.colour, unknown.depth}).drawn == 0);
+  CHECK(irg::render_with(everywhere{12345}, world, {unknown.colour, unknown.depth}).drawn == 0);
   CHECK(unknown == nothing);
   // One triangle of the cube, where it is.
   const auto one =
-      irg::render(everywhere{2}, world, {beside.colour, beside.depth}, {.culling = irg::face_culling::none});
+      irg::render_with(everywhere{2}, world, {beside.colour, beside.depth}, {.culling = irg::face_culling::none});
   CHECK(one.drawn > 0);
   CHECK(one.drawn < 1000);
-  CHECK(irg::render(nothing_at_all{}, irg::scene<double>{}, {nothing.colour, nothing.depth}) == irg::render_counts{});
+  CHECK(irg::render_with(nothing_at_all{}, irg::scene<double>{}, {nothing.colour, nothing.depth}) ==
+        irg::render_counts{});
 }
 
 TEST_CASE("hidden-surface methods: what lies in the far plane is not drawn, as by the z-buffer") {
@@ -169,7 +171,8 @@ TEST_CASE("hidden-surface methods: what lies in the far plane is not drawn, as b
   const auto expected = test::render(world, 40, 30, options);
   CHECK(expected.stats.drawn > 0);
   test::canvas drawn(40, 30);
-  CHECK(irg::render(irg::ray_casting<>{}, world, {drawn.colour, drawn.depth}, options).drawn == expected.stats.drawn);
+  CHECK(irg::render_with(irg::ray_casting<>{}, world, {drawn.colour, drawn.depth}, options).drawn ==
+        expected.stats.drawn);
   CHECK(drawn == expected.picture);
 }
 
@@ -181,7 +184,7 @@ constexpr bool same_in_constant_evaluation() {
   irg::image<irg::rgba8> a(8, 8), b(8, 8);
   irg::image<float> da(8, 8), db(8, 8);
   irg::render(world, {a, da});
-  irg::render(nearest_of_all{}, world, {b, db});
+  irg::render_with(nearest_of_all{}, world, {b, db});
   return a == b && da == db;
 }
 
@@ -199,9 +202,9 @@ std::int64_t faces_not_asked_about(const irg::scene<double>& world, const Method
   options.style = irg::picture_style::flat;
   options.culling = culling;
   test::canvas skipped(150, 110), asked(150, 110);
-  const auto with = irg::render(method, world, {skipped.colour, skipped.depth}, options, irg::parallel{2});
+  const auto with = irg::render_with(method, world, {skipped.colour, skipped.depth}, options, irg::parallel{2});
   options.skip.convex = irg::skipping::off;
-  const auto without = irg::render(method, world, {asked.colour, asked.depth}, options);
+  const auto without = irg::render_with(method, world, {asked.colour, asked.depth}, options);
   CHECK(skipped == asked);
   CHECK(with.drawn == without.drawn);
   CHECK(without.pixels.convex == 0);

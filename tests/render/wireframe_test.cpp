@@ -35,7 +35,7 @@ constexpr drawn draw(const mesh& m, int width, int height, irg::face_culling cul
                      const irg::mat<double, 4, 4>& to_clip = eye_at_origin, const E& executor = {},
                      irg::skipping frustum = irg::skipping::on) {
   drawn d{picture(width, height, 0), {}};
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   const auto v = irg::project_vertices<double>(m.positions, to_clip, mapping);
   d.stats = irg::draw_wireframe(d.lines, irg::projected_mesh{v, m, mapping, frustum}, 1, culling, executor);
   return d;
@@ -45,7 +45,7 @@ constexpr drawn draw(const mesh& m, int width, int height, irg::face_culling cul
 picture expected_lines(const mesh& m, const std::set<std::pair<std::uint32_t, std::uint32_t>>& edges, int width,
                        int height, std::int64_t& cells) {
   picture lines(width, height, 0);
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   const auto v = irg::project_vertices<double>(m.positions, eye_at_origin, mapping);
   const auto pixel = [&](std::uint32_t i) {
     const irg::subpixel p = v.screen[i].position;
@@ -198,7 +198,7 @@ TEST_CASE("draw_wireframe: what is beyond the picture is passed over to the same
     if (kind != test::positions::ordinary || i % 2 == 0) continue;
     // All corners in front of the eye and within the guard band: a face is beyond where all its cells are.
     std::int64_t beyond = 0;
-    const auto v = irg::project_vertices<double>(m.positions, to_clip, irg::map_to_screen<double>(width, height));
+    const auto v = irg::project_vertices<double>(m.positions, to_clip, irg::map_to_screen<double>({width, height}));
     REQUIRE(v.any.cut == 0);
     for (std::size_t f = 0; f < m.face_count(); ++f) {
       bool left = true, right = true, above = true, below = true;
@@ -241,6 +241,18 @@ TEST_CASE("draw_wireframe: empty meshes and pictures") {
   CHECK(draw(mesh{}, 8, 8).stats == irg::render_counts{});
   CHECK(draw(cube_before_the_eye(), 1, 1).lines(0, 0) == 1);
   CHECK(draw(cube_before_the_eye(), 8, 0).stats.pixels.shaded == 0);
+}
+
+TEST_CASE("draw_wireframe: a pack in braces, of doubles and of floats") {
+  const auto cells = []<class T>(const irg::mesh<T>& m) {
+    const auto mapping = irg::map_to_screen<T>({40, 40});
+    const auto v =
+        irg::project_vertices<T>(m.positions, irg::orthographic(irg::view_window<T>{-1, 1, -1, 1}, -2, 2), mapping);
+    picture lines(40, 40, 0);
+    return irg::draw_wireframe(lines, {v, m, mapping}, 1).pixels.shaded;
+  };
+  CHECK(cells(irg::shape_cube<double>()) > 0);
+  CHECK(cells(irg::shape_cube<double>()) == cells(irg::shape_cube<float>()));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST_CASE("mip_pyramid: every level of every size has the mean of the texture, a
 }
 
 TEST_CASE("mip_level: from how coordinates change") {
-  constexpr auto level = [](float a, float b, float c, float d) { return irg::mip_level({a, b, c, d}, 256, 128); };
+  constexpr auto level = [](float a, float b, float c, float d) { return irg::mip_level({a, b, c, d}, {256, 128}); };
   CHECK_BOTH(level(1.0f / 256, 0, 0, 1.0f / 128) == 0);
   CHECK_BOTH(level(4.0f / 256, 0, 0, 1.0f / 128) == 2);
   CHECK_BOTH(level(0, 0, 0, -8.0f / 128) == 3);

@@ -56,9 +56,10 @@ TEST_CASE("mip_level in lanes: mip_level's own bits") {
       const floats none = irg::lanes<floats>::broadcast(0);
       d = {irg::lanes<floats>::broadcast(near / static_cast<float>(width)), none, none, none};
     }
-    const floats level = irg::mip_level<count>(d, width, height);
+    const floats level = irg::mip_level<count>(d, {width, height});
     for (int i = 0; i < count; ++i)
-      differ += !same(level[i], irg::mip_level({d.u_right[i], d.v_right[i], d.u_down[i], d.v_down[i]}, width, height));
+      differ +=
+          !same(level[i], irg::mip_level({d.u_right[i], d.v_right[i], d.u_down[i], d.v_down[i]}, {width, height}));
   }
   CHECK(differ == 0);
 }

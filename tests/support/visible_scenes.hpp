@@ -52,7 +52,7 @@ template <irg::DepthOrder Order = irg::nearer_is_greater, irg::Floating T = doub
 constexpr id_picture visible_ids(const triangle_scene& s, irg::face_culling culling = irg::face_culling::none,
                                  const irg::skip_options& skip = {}, const E& executor = {}) {
   id_picture p{irg::image<std::uint32_t>(s.width, s.height, 9999u), irg::image<float>(s.width, s.height, 0.5f), {}};
-  const auto mapping = irg::map_to_screen<T>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<T>({s.width, s.height});
   const auto positions = positions_in<T>(s);
   const auto vertices = irg::project_vertices<T>(positions, matrix_in<T>(s), mapping);
   const auto shader = [](std::uint32_t triangle, irg::facing) {
@@ -68,7 +68,7 @@ constexpr id_picture visible_ids(const triangle_scene& s, irg::face_culling cull
 /// Fronts have negative areas there, because y is down.
 template <irg::Floating T = double>
 std::vector<snapped_triangle> snapped_triangles(const triangle_scene& s, irg::face_culling culling) {
-  const auto mapping = irg::map_to_screen<T>(s.width, s.height);
+  const auto mapping = irg::map_to_screen<T>({s.width, s.height});
   const auto positions = positions_in<T>(s);
   const auto to_clip = matrix_in<T>(s);
   std::vector<snapped_triangle> list;

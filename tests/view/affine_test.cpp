@@ -318,3 +318,8 @@ TEST_CASE("affine: degenerate and hostile") {
   CHECK(orientation_of(scaling(-1e-30f)) == map_orientation::reversing);
   CHECK(orientation_of(scaling(1e30f)) == map_orientation::preserving);
 }
+
+TEST_CASE("affine: vectors in braces are of doubles") {
+  CHECK_BOTH(irg::translation({1, 2, 3}) == irg::translation(V{1, 2, 3}));
+  CHECK_BOTH(irg::rotation({0, 0, 1}, 0.5) == irg::rotation(V{0, 0, 1}, 0.5));
+}

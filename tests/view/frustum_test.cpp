@@ -15,6 +15,7 @@
 
 using irg::bounding_sphere;
 using irg::box;
+using irg::classify;
 using irg::containment;
 using irg::depth_range;
 using irg::frustum;
@@ -25,7 +26,6 @@ using irg::hpoint;
 using irg::mat;
 using irg::plane;
 using irg::point;
-using irg::side_of;
 using test::rational;
 
 namespace {
@@ -97,17 +97,17 @@ TEST_CASE("frustum: by hand, in every life") {
       frustum_of(irg::perspective(irg::half_pi<double>, 1, 1, 5, depth_range::standard), depth_range::standard);
   CHECK(near(s[frustum_plane::z_near], f[frustum_plane::z_near]));
   CHECK(near(s[frustum_plane::z_far], f[frustum_plane::z_far]));
-  CHECK_BOTH(side_of(f, B{{-0.5, -0.5, -3}, {0.5, 0.5, -2}}) == inside);
-  CHECK_BOTH(side_of(f, B{{-0.5, -0.5, -3}, {0.5, 0.5, -0.5}}) == crossing);
-  CHECK_BOTH(side_of(f, B{{-0.5, -0.5, -0.5}, {0.5, 0.5, 2}}) == outside);
-  CHECK_BOTH(side_of(f, B{{4, -1, -3}, {5, 1, -2}}) == outside);
-  CHECK_BOTH(side_of(f, B{{-99, -99, -99}, {99, 99, 99}}) == crossing);
-  CHECK_BOTH(side_of(f, Ball{{0, 0, -3}, 1}) == inside);
-  CHECK_BOTH(side_of(f, Ball{{0, 0, -1}, 0.5}) == crossing);
-  CHECK_BOTH(side_of(f, Ball{{0, 0, 1}, 1.5}) == outside);
-  CHECK_BOTH(side_of(f, Ball{{10, 0, -3}, 1}) == outside);
-  CHECK_BOTH(side_of(f, P{0, 0, -2}) == inside);
-  CHECK_BOTH(side_of(f, P{0, 0, 2}) == outside);
+  CHECK_BOTH(classify(f, B{{-0.5, -0.5, -3}, {0.5, 0.5, -2}}) == inside);
+  CHECK_BOTH(classify(f, B{{-0.5, -0.5, -3}, {0.5, 0.5, -0.5}}) == crossing);
+  CHECK_BOTH(classify(f, B{{-0.5, -0.5, -0.5}, {0.5, 0.5, 2}}) == outside);
+  CHECK_BOTH(classify(f, B{{4, -1, -3}, {5, 1, -2}}) == outside);
+  CHECK_BOTH(classify(f, B{{-99, -99, -99}, {99, 99, 99}}) == crossing);
+  CHECK_BOTH(classify(f, Ball{{0, 0, -3}, 1}) == inside);
+  CHECK_BOTH(classify(f, Ball{{0, 0, -1}, 0.5}) == crossing);
+  CHECK_BOTH(classify(f, Ball{{0, 0, 1}, 1.5}) == outside);
+  CHECK_BOTH(classify(f, Ball{{10, 0, -3}, 1}) == outside);
+  CHECK_BOTH(classify(f, P{0, 0, -2}) == inside);
+  CHECK_BOTH(classify(f, P{0, 0, 2}) == outside);
 }
 
 TEST_CASE("frustum: corners by hand; of an infinite far plane, the directions of the edges") {
@@ -130,7 +130,7 @@ TEST_CASE("frustum: corners by hand; of an infinite far plane, the directions of
       CHECK((std::abs(q.x / -q.z - (k & 1 ? 1 : -1)) <= 4e-15 && std::abs(q.y / -q.z - (k & 2 ? 1 : -1)) <= 4e-15 &&
              q.z < 0));
     }
-    CHECK(side_of(f, B{{-1, -1, -1e9}, {1, 1, -2}}) == inside);
+    CHECK(classify(f, B{{-1, -1, -1e9}, {1, 1, -2}}) == inside);
   }
   // In rationals, where normals keep their length.
   constexpr mat<R, 4, 4> m{{{1, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, {1, 4}, {5, 4}}, {0, 0, -1, 0}}};
@@ -173,10 +173,10 @@ TEST_CASE("frustum: boxes in rationals are exactly what their corners say, plane
     const auto n = [&] { return R{r.integer(-6, 6), 2}; };
     const box<R, 3> b = bounding_box(box<R, 3>{}, point<R, 3>{n(), n(), n()});
     const box<R, 3> around = bounding_box(b, point<R, 3>{n(), n(), n()});
-    const containment side = side_of(frustum_of(m), around);
+    const containment side = classify(frustum_of(m), around);
     ++count[static_cast<int>(side)];
     CHECK(side == by_corners(m, around));
-    CHECK(side_of(frustum_of(m), b.low) == by_corners(m, b));
+    CHECK(classify(frustum_of(m), b.low) == by_corners(m, b));
   }
   for (const int n : count) CHECK(n > 10);
 }
@@ -210,7 +210,7 @@ TEST_CASE("frustum: boxes and balls in floats err on the safe side, and seldom; 
         b.low.x = p.a < 0 ? to : to - width, b.high.x = p.a < 0 ? to + width : to;
       }
     }
-    const containment side = side_of(f, b);
+    const containment side = classify(f, b);
     ++count[static_cast<int>(side)];
     bool out[6], all_in = true, any_out = false;
     for (int k = 0; k < 6; ++k) {
@@ -239,7 +239,7 @@ TEST_CASE("frustum: boxes and balls in floats err on the safe side, and seldom; 
     if (side == crossing && (any_out || all_in)) ++undecided;
 
     const Ball ball{middle, size * r.unit()};
-    const containment round = side_of(f, ball);
+    const containment round = classify(f, ball);
     bool ball_out = false, ball_in = true;
     for (int k = 0; k < 6; ++k) {
       const auto row = [&](int c) {  // the normal of plane k
@@ -276,36 +276,36 @@ TEST_CASE("frustum: what has a point in common with it is never called outside (
           to_cartesian(*back * hpoint<double, 3>{2 * r.unit() - 1, 2 * r.unit() - 1, 0.001 + 0.99 * r.unit(), 1});
       if (clip_code(m * q) != irg::clip_planes::none) continue;
       const double a = r.unit(), b = r.unit();
-      CHECK(side_of(f, B{{q.x - a, q.y - b, q.z - 1}, {q.x + b, q.y, q.z + a}}) != outside);
-      CHECK(side_of(f, Ball{{q.x + a, q.y, q.z}, a}) != outside);
-      CHECK(side_of(f, q) != outside);
+      CHECK(classify(f, B{{q.x - a, q.y - b, q.z - 1}, {q.x + b, q.y, q.z + a}}) != outside);
+      CHECK(classify(f, Ball{{q.x + a, q.y, q.z}, a}) != outside);
+      CHECK(classify(f, q) != outside);
     }
   }
 }
 
 TEST_CASE("frustum: hostile input") {
   constexpr auto f = frustum_of(right_angle);
-  CHECK_BOTH(side_of(f, B{}) == outside);  // empty
-  CHECK_BOTH(side_of(f, B{{1, 0, -2}, {0, 0, -2}}) == outside);
-  CHECK_BOTH(side_of(f, B{{not_a_number, 0, -2}, {0, 0, -2}}) == outside);  // holds no point either
-  CHECK_BOTH(side_of(f, Ball{{0, 0, -2}, -1}) == outside);
-  CHECK(side_of(f, Ball{{0, 0, -2}, not_a_number}) == crossing);
-  CHECK(side_of(f, Ball{{0, not_a_number, -2}, 1}) == crossing);
-  CHECK(side_of(f, P{0, not_a_number, -2}) == crossing);
-  CHECK(side_of(f, B{{-inf, -inf, -inf}, {inf, inf, inf}}) == crossing);
-  CHECK(side_of(f, B{{-1, -1, -2}, {inf, 1, -2}}) == crossing);
-  CHECK(side_of(f, Ball{{0, 0, -2}, inf}) == crossing);
-  CHECK(side_of(f, Ball{{0, 0, 1e308}, 1}) == outside);
-  CHECK(side_of(f, Ball{{0, 0, -2}, 0}) == inside);
+  CHECK_BOTH(classify(f, B{}) == outside);  // empty
+  CHECK_BOTH(classify(f, B{{1, 0, -2}, {0, 0, -2}}) == outside);
+  CHECK_BOTH(classify(f, B{{not_a_number, 0, -2}, {0, 0, -2}}) == outside);  // holds no point either
+  CHECK_BOTH(classify(f, Ball{{0, 0, -2}, -1}) == outside);
+  CHECK(classify(f, Ball{{0, 0, -2}, not_a_number}) == crossing);
+  CHECK(classify(f, Ball{{0, not_a_number, -2}, 1}) == crossing);
+  CHECK(classify(f, P{0, not_a_number, -2}) == crossing);
+  CHECK(classify(f, B{{-inf, -inf, -inf}, {inf, inf, inf}}) == crossing);
+  CHECK(classify(f, B{{-1, -1, -2}, {inf, 1, -2}}) == crossing);
+  CHECK(classify(f, Ball{{0, 0, -2}, inf}) == crossing);
+  CHECK(classify(f, Ball{{0, 0, 1e308}, 1}) == outside);
+  CHECK(classify(f, Ball{{0, 0, -2}, 0}) == inside);
   auto broken = right_angle;
   broken(0, 0) = not_a_number;
   const auto unknown = frustum_of(broken);
   CHECK(unknown[frustum_plane::left] == plane<double>{0, 0, 0, 0});
-  CHECK(side_of(unknown, B{{-0.1, -0.1, -3}, {0.1, 0.1, -2}}) == crossing);
-  CHECK(side_of(unknown, B{{-0.1, -0.1, 3}, {0.1, 0.1, 4}}) == outside);  // the other planes still count
+  CHECK(classify(unknown, B{{-0.1, -0.1, -3}, {0.1, 0.1, -2}}) == crossing);
+  CHECK(classify(unknown, B{{-0.1, -0.1, 3}, {0.1, 0.1, 4}}) == outside);  // the other planes still count
   CHECK(!frustum_corners(unknown));
   CHECK(!frustum_corners(frustum_of(mat<double, 4, 4>{})));
-  CHECK(side_of(frustum_of(mat<double, 4, 4>{}), P{0, 0, 0}) == crossing);
+  CHECK(classify(frustum_of(mat<double, 4, 4>{}), P{0, 0, 0}) == crossing);
   CHECK(!frustum_corners(frustum_of(irg::identity_matrix<double, 4>() * 0.0)));
   // Entries from one end of the range to the other.
   const auto tiny = frustum_of(right_angle * 0x1p-1000), huge = frustum_of(right_angle * 0x1p1000);
@@ -324,11 +324,11 @@ TEST_CASE("frustum: hostile input") {
   CHECK(frustum_of(irg::perspective<float>(angle, 1.5f, 0.1f, 10.0f)) == at_compile_time);
 }
 
-TEST_CASE("side_of: clip coordinates that vanish have no codes, the planes know") {
+TEST_CASE("classify: clip coordinates that vanish have no codes, the planes know") {
   irg::mat<float, 4, 4> m{};
   m(0, 0) = m(1, 1) = m(3, 2) = 0x1p-100f;
   const irg::point<float, 3> p{-0x1p-60f, 0, 0x1p-61f};
-  CHECK(side_of(irg::frustum_of(m), p) == irg::containment::outside);
+  CHECK(classify(irg::frustum_of(m), p) == irg::containment::outside);
   CHECK(m * irg::hpoint<float, 3>{p.x, p.y, p.z, 1} == irg::hpoint<float, 3>{0, 0, 0, 0});
 }
 

@@ -248,3 +248,11 @@ TEST_CASE("look_at: eye and target within a quarter of the largest number, up wi
       CHECK(look_at_checked(far_away, P{1, 2, 3}, up).status == look_at_status::not_finite);
     }
 }
+
+TEST_CASE("look_at: points in braces are of doubles, or of the type of the others") {
+  constexpr irg::point<double, 3> eye{3, 2, 5};
+  CHECK_BOTH(irg::look_at({3, 2, 5}, {0, 0, 0}, {0, 1, 0}) ==
+             irg::look_at(eye, irg::point<double, 3>{0, 0, 0}, irg::vec<double, 3>{0, 1, 0}));
+  CHECK_BOTH(look_at_checked(irg::point<float, 3>{3, 2, 5}, {3, 2, 5}, {0, 1, 0}).status ==
+             look_at_status::eye_at_target);
+}

@@ -58,19 +58,19 @@ TEST_CASE("view_pyramid: Hank's values, planes with inward normals") {
 TEST_CASE("view_pyramid: reference values, what is inside") {
   constexpr auto f = pyramid_planes(course, handedness::left);
   using enum containment;
-  CHECK_BOTH(side_of(f, P{0, 0, 5}) == inside);
-  CHECK_BOTH(side_of(f, P{10, 0, 5}) == inside);
-  CHECK_BOTH(side_of(f, P{11, 0, 5}) == outside);
-  CHECK_BOTH(side_of(f, P{0, {15, 2}, 5}) == inside);
-  CHECK_BOTH(side_of(f, P{0, 8, 5}) == outside);
-  CHECK_BOTH(side_of(f, P{0, 0, 1}) == inside);
-  CHECK_BOTH(side_of(f, P{0, 0, {1, 2}}) == outside);
-  CHECK_BOTH(side_of(f, P{0, 0, 10}) == inside);
-  CHECK_BOTH(side_of(f, P{0, 0, 11}) == outside);
-  CHECK_BOTH(side_of(f, P{0, 0, -5}) == outside);
-  CHECK_BOTH(side_of(f, irg::box<R, 3>{{-1, -1, 4}, {1, 1, 5}}) == inside);
-  CHECK_BOTH(side_of(f, irg::box<R, 3>{{9, -1, 4}, {11, 1, 5}}) == crossing);
-  CHECK_BOTH(side_of(f, irg::box<R, 3>{{20, 0, 2}, {21, 1, 3}}) == outside);
+  CHECK_BOTH(classify(f, P{0, 0, 5}) == inside);
+  CHECK_BOTH(classify(f, P{10, 0, 5}) == inside);
+  CHECK_BOTH(classify(f, P{11, 0, 5}) == outside);
+  CHECK_BOTH(classify(f, P{0, {15, 2}, 5}) == inside);
+  CHECK_BOTH(classify(f, P{0, 8, 5}) == outside);
+  CHECK_BOTH(classify(f, P{0, 0, 1}) == inside);
+  CHECK_BOTH(classify(f, P{0, 0, {1, 2}}) == outside);
+  CHECK_BOTH(classify(f, P{0, 0, 10}) == inside);
+  CHECK_BOTH(classify(f, P{0, 0, 11}) == outside);
+  CHECK_BOTH(classify(f, P{0, 0, -5}) == outside);
+  CHECK_BOTH(classify(f, irg::box<R, 3>{{-1, -1, 4}, {1, 1, 5}}) == inside);
+  CHECK_BOTH(classify(f, irg::box<R, 3>{{9, -1, 4}, {11, 1, 5}}) == crossing);
+  CHECK_BOTH(classify(f, irg::box<R, 3>{{20, 0, 2}, {21, 1, 3}}) == outside);
 }
 
 TEST_CASE("view_pyramid: its projection takes the corners to those of clip space, and agrees with the other forms") {

@@ -99,7 +99,7 @@ cell3 any_cell(test::random& r, const grid_extent& e) {
           static_cast<int>(r.integer(0, e.depth - 1))};
 }
 
-static_assert(irg::view_options{} == irg::view_options{} && irg::view_options{} != irg::view_options{.radius = 3});
+static_assert(irg::view_options{} == irg::view_options{} && irg::view_options{} != irg::view_options{{}, 3, {}});
 
 TEST_CASE("field_of_view: all 4 x 4 maps, from every cell") {
   for (unsigned bits = 0; bits < 1u << 16; bits += release() ? 1u : 13u) {

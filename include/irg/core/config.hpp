@@ -139,9 +139,9 @@
 
 // The old name of a function that has a new one. It stays until 1.0, says so where it is called, and takes whatever the
 // new name takes, but for arguments in bare braces.
-#define IRG_RENAMED(old_name, new_name)                                                                \
-  template <class... A>                                                                                \
-    requires requires(A&&... a) { new_name(static_cast<A&&>(a)...); }                                  \
-  [[deprecated("irg: " #old_name " is now " #new_name)]] constexpr decltype(auto) old_name(A&&... a) { \
-    return new_name(static_cast<A&&>(a)...);                                                           \
+#define IRG_RENAMED(old_name, new_name)                                   \
+  template <class... A>                                                   \
+  [[deprecated("irg: now " #new_name)]] constexpr auto old_name(A&&... a) \
+      -> decltype(new_name(static_cast<A&&>(a)...)) {                     \
+    return new_name(static_cast<A&&>(a)...);                              \
   }

@@ -18,7 +18,8 @@ namespace irg::detail::inline IRG_ABI {
 // Not constexpr: reaching this call makes the expression no constant, which is the compile error that is wanted.
 inline void precondition_broken() noexcept {}
 #else
-[[noreturn]] inline void precondition_broken(const char* condition, const char* file, int line) noexcept {
+[[noreturn]] inline void precondition_broken(const char* condition, const char* file = __builtin_FILE(),
+                                             int line = __builtin_LINE()) noexcept {
   std::fprintf(stderr, "irg: broken precondition: %s (%s:%d)\n", condition, file, line);
   std::abort();
 }
@@ -28,8 +29,7 @@ inline void precondition_broken() noexcept {}
 
 #ifdef NDEBUG
 #define IRG_EXPECTS(...) \
-  ((std::is_constant_evaluated() && !(__VA_ARGS__)) ? ::irg::detail::precondition_broken() : static_cast<void>(0))
+  ((std::is_constant_evaluated() && !(__VA_ARGS__)) ? ::irg::detail::precondition_broken() : void())
 #else
-#define IRG_EXPECTS(...) \
-  ((__VA_ARGS__) ? static_cast<void>(0) : ::irg::detail::precondition_broken(#__VA_ARGS__, __FILE__, __LINE__))
+#define IRG_EXPECTS(...) ((__VA_ARGS__) ? void() : ::irg::detail::precondition_broken(#__VA_ARGS__))
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How work is spread. An algorithm that can be cut into independent tasks takes an executor as its last parameter and
-// calls executor(count, task): task(i) must have run for every i in [0, count) when the call returns, in any order, on
-// any thread. Results never depend on the choice.
+// How work is spread. An algorithm that can be cut into independent tasks takes an executor and calls
+// executor(count, task): task(i) must have run for every i in [0, count) when the call returns, in any order, on any
+// thread. Results never depend on the choice. The executor follows the options; only an observer stands behind it.
 #pragma once
 
 #include <cstddef>

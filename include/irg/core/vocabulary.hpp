@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The words that many chapters share: on which side, inside or outside, which way round, which way it faces; a value
-// and how it came about; no index. And where types of your own come in, each explained in its header:
+// The words that many chapters share: on which side, inside or outside, which way round, which way it faces; the size
+// of a picture; a value and how it came about; no index. And where types of your own come in, each explained in its
+// header:
 //
 //   yours                    enters by                what fits without a word from you
 //   a vector, a point        coordinate_traits<T>     x, y, z, w; [i] of fixed size        core/coordinates.hpp
@@ -45,6 +46,12 @@ enum class containment {
   outside,  // surely no point of it is in the region
   crossing,  // anything else
   inside  // surely all of it is in the region
+};
+
+/// How many pixels a picture has: in a row, and rows.
+struct extent2 {
+  int width = 0, height = 0;
+  bool operator==(const extent2&) const = default;
 };
 
 /// The words whose values are signs: -1, 0 and 1.

@@ -177,7 +177,11 @@ IRG_INLINE constexpr typename curve_sample<P>::vector scaled_difference(const P&
 /// The first n elements of a row of a workspace, which grows where it has fewer.
 template <class E>
 constexpr std::span<E> room_for(std::vector<E>& row, std::size_t n) {
-  if (row.size() < n) row.resize(n, E{});
+  if constexpr (Coordinates<E>) {  // of which some have any numbers when they are made
+    if (row.size() < n) row.resize(n, zero_coordinates<E>());
+  } else if (row.size() < n) {
+    row.resize(n, E{});
+  }
   return std::span<E>(row).first(n);
 }
 /// As many rows as that, each as long as the range of control points.

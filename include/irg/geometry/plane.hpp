@@ -58,12 +58,13 @@ template <Plane P>
 
 /// The plane through three points, from whose upper side they are seen counter-clockwise. Its normal is as long as
 /// twice the triangle's area.
+/// shape   in bare braces points of doubles
 /// gives   nothing when the normal comes out as zero: collinear or equal points. In floats points that are nearly
 ///         collinear may give a plane of any direction, since the normal is rounded
 /// exact   in integers and rationals; in floats each difference, product and sum is rounded once, and the products are
 ///         of differences, so that the distance from the origin costs the normal no accuracy
 /// source  Mihajlovic 2016, formula 4.1
-template <Point P>
+template <Point P = point<double, 3>>
   requires(size_of<P> == 3)
 [[nodiscard]] constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2,
                                                                          const P& p3) noexcept {

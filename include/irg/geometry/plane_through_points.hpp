@@ -51,7 +51,7 @@ inline namespace IRG_ABI {
 ///         power of two where they are beyond the range or too small for it
 /// cost    some 200 ns; about 4 us near a degenerate case. plane_through takes 5 ns
 /// source  Mihajlovic 2016, formulas 4.1 and 4.4
-template <Point P>
+template <Point P = point<double, 3>>
   requires(size_of<P> == 3)
 [[nodiscard]] constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1, const P& p2,
                                                                                   const P& p3) noexcept {

@@ -114,14 +114,14 @@ inline namespace IRG_ABI {
 /// gives   the boundary for all points of a polygon without area (a point, a segment); `outside` for an empty ring and
 ///         when a coordinate of p is NaN or infinite
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
-/// cost    up to 8 vertices at most one turn for each edge; beyond, a search of about 2 + log2(n) turns, and a
+/// cost    up to 16 vertices at most one turn for each edge; beyond, a search of about 2 + log2(n) turns, and a
 ///         comparison for each vertex that stands where the first does. A polygon without area is looked at edge by
 ///         edge
 /// source  Mihajlovic 2016, rules 3.3 and 3.4; Preparata and Shamos 1985 (the search)
 template <PlaneRing R>
 [[nodiscard]] constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
   if (!is_finite(p)) return location::outside;
-  return ring_size(ring) <= 8 ? detail::locate_by_edges(ring, p) : detail::locate_by_fan(ring, p);
+  return ring_size(ring) <= 16 ? detail::locate_by_edges(ring, p) : detail::locate_by_fan(ring, p);
 }
 
 IRG_RENAMED(point_in_convex_polygon_log, point_in_convex_polygon)

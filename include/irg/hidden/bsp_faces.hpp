@@ -499,13 +499,18 @@ constexpr void walk_bsp(const bsp_of_faces& tree, bsp_order order, Visit&& visit
 /// Draws the faces of a tree from back to front: into each pixel that one of them covers the number of the nearest.
 /// needs   a tree built in the same order, for a window that the ids hold
 template <DepthOrder Order = nearer_is_greater>
-constexpr void draw_bsp(const bsp_of_faces& tree, image<std::uint32_t>& ids) {
+constexpr void draw_bsp(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
   walk_bsp(tree, bsp_order::back_to_front, [&](const bsp_of_faces::node& n) {
     covered_spans(n.part.face->coverage, n.box, [&](const span_of_cells& s) {
       for (int x = s.x_first; x < s.x_last; ++x)
         if (n.part.limits.empty() || covers<Order>(n.part, x, s.y)) ids(x, s.y) = n.part.face->number;
     });
   });
+}
+template <DepthOrder Order = nearer_is_greater>
+[[deprecated("irg: draw_bsp(ids, tree)")]] constexpr void draw_bsp(const bsp_of_faces& tree,
+                                                                   image<std::uint32_t>& ids) {
+  draw_bsp<Order>(ids, tree);
 }
 
 }  // namespace IRG_ABI
@@ -534,7 +539,7 @@ constexpr void draw_by_trees(const std::vector<window_face>& list, const cell_wi
   } else {
     const bsp_of_faces tree = build_bsp<Order>(pointed_faces{faces}, w);
     counts.tested += tree.counts.pieces;
-    draw_bsp<Order>(tree, ids);
+    draw_bsp<Order>(ids, tree);
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The classical hidden-surface methods by name, for render(method, scene, ...). They stand apart from render.hpp so
-// that only programs that want them compile them.
+// The classical hidden-surface methods by name, for render_with(method, scene, ...). They stand apart from render.hpp,
+// so that only programs that want them compile them.
 #pragma once
 
 #include <irg/hidden/bsp_faces.hpp>
@@ -15,7 +15,7 @@ namespace irg {
 enum class classical_method { ray_casting, warnock, painter_newell, bsp, painter_by_centroid };
 
 /// A hidden-surface method that is chosen when the program runs.
-/// shape   render(hidden_surfaces_by{classical_method::warnock}, scene, {colour, depth})
+/// shape   render_with(hidden_surfaces_by{classical_method::warnock}, scene, {colour, depth})
 /// exact   as the method that is named
 struct hidden_surfaces_by {
   classical_method method = classical_method::ray_casting;

@@ -47,7 +47,7 @@ constexpr std::vector<screen_face> faces_of_side(const mesh<T>& around, std::spa
   to_clip(1, side.up) = T(1);
   to_clip(2, 3) = options.near_distance;
   to_clip(3, side.forward) = static_cast<T>(side.forward_sign);
-  const screen_mapping<T> mapping = map_to_screen<T>(options.size, options.size);
+  const screen_mapping<T> mapping = map_to_screen<T>({options.size, options.size});
   const auto vertices = project_vertices<T>(std::span<const point<T, 3>>(around.positions), to_clip, mapping);
   std::vector<screen_face> out;
   for (std::size_t t = 0; t < around.face_count(); ++t) {
@@ -84,7 +84,8 @@ inline namespace IRG_ABI {
 /// cost    each vertex and triangle six times; allocates
 template <Floating T, class Sink>
   requires std::invocable<Sink&, std::size_t, const std::vector<screen_face>&>
-constexpr void faces_around(const point<T, 3>& eye, const mesh<T>& m, const cube_options<T>& options, Sink&& sink) {
+constexpr void faces_around(const point<T, 3>& eye, const mesh<T>& m, Sink&& sink,
+                            const cube_options<T>& options = {}) {
   IRG_EXPECTS(1 <= options.size && options.size <= 4096 && T(0) < options.near_distance);
   mesh<T> triangles = triangulated(m);
   for (point<T, 3>& p : triangles.positions) p = {p.x - eye.x, p.y - eye.y, p.z - eye.z};
@@ -93,6 +94,12 @@ constexpr void faces_around(const point<T, 3>& eye, const mesh<T>& m, const cube
     numbers.resize(numbers.size() + m.face_size(f) - 2, static_cast<std::uint32_t>(f));
   for (std::size_t i = 0; i < 6; ++i)
     sink(i, detail::faces_of_side<T>(triangles, numbers, detail::cube_sides[i], options));
+}
+template <Floating T, class Sink>
+  requires std::invocable<Sink&, std::size_t, const std::vector<screen_face>&>
+[[deprecated("irg: faces_around(eye, mesh, sink, options)")]] constexpr void faces_around(
+    const point<T, 3>& eye, const mesh<T>& m, const cube_options<T>& options, Sink&& sink) {
+  faces_around(eye, m, sink, options);
 }
 
 /// The direction in which a place of a side, in pixels, is seen; its largest coordinate is 1 or -1.

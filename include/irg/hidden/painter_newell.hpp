@@ -41,8 +41,13 @@ inline namespace IRG_ABI {
 ///         list, none for depths
 /// source  Newell, Newell and Sancha 1972
 template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no_newell_observer>
-constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+constexpr newell_counts draw_painter_newell(image<std::uint32_t>& ids, const Faces& faces, const cell_window& window,
                                             Observer&& observer = {});
+template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no_newell_observer>
+[[deprecated("irg: draw_painter_newell(ids, faces, window, observer)")]] constexpr newell_counts draw_painter_newell(
+    const Faces& faces, const cell_window& window, image<std::uint32_t>& ids, Observer&& observer = {}) {
+  return draw_painter_newell<Order>(ids, faces, window, observer);
+}
 
 }  // namespace IRG_ABI
 
@@ -53,7 +58,7 @@ struct painter_newell : exact_method {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
-    counts.tested += draw_painter_newell<Order>(faces, window, ids)[newell_step::drawn];
+    counts.tested += draw_painter_newell<Order>(ids, faces, window)[newell_step::drawn];
   }
 };
 
@@ -386,7 +391,7 @@ struct newell_painter {
 inline namespace IRG_ABI {
 
 template <DepthOrder Order, class Faces, class Observer>
-constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+constexpr newell_counts draw_painter_newell(image<std::uint32_t>& ids, const Faces& faces, const cell_window& window,
                                             Observer&& observer) {
   const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
   detail::newell_painter<Order, std::remove_reference_t<Observer>> painter{ids, observer};

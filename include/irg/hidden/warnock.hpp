@@ -50,8 +50,13 @@ inline namespace IRG_ABI {
 ///         depths
 /// source  Warnock 1969
 template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no_window_observer>
-constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+constexpr warnock_counts draw_warnock(image<std::uint32_t>& ids, const Faces& faces, const cell_window& window,
                                       Observer&& observer = {});
+template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no_window_observer>
+[[deprecated("irg: draw_warnock(ids, faces, window, observer)")]] constexpr warnock_counts draw_warnock(
+    const Faces& faces, const cell_window& window, image<std::uint32_t>& ids, Observer&& observer = {}) {
+  return draw_warnock<Order>(ids, faces, window, observer);
+}
 
 /// The face in a picture whose pixels are cut into k x k, for subdivision beyond the pixel: drawn into k times as many
 /// rows and columns, each pixel's share of every face is the share of its k*k parts.
@@ -73,7 +78,7 @@ struct warnock : exact_method {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
-    counts.tested += draw_warnock<Order>(faces, window, ids).classified;
+    counts.tested += draw_warnock<Order>(ids, faces, window).classified;
   }
 };
 
@@ -302,7 +307,7 @@ struct warnock_division {
 inline namespace IRG_ABI {
 
 template <DepthOrder Order, class Faces, class Observer>
-constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+constexpr warnock_counts draw_warnock(image<std::uint32_t>& ids, const Faces& faces, const cell_window& window,
                                       Observer&& observer) {
   if (window.empty()) return {};
   const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/vocabulary.hpp>
 
 namespace irg {
 
@@ -37,13 +38,14 @@ inline namespace IRG_ABI {
   return n <= 1 ? 0 : static_cast<int>(std::bit_width(n - 1));
 }
 
-/// The memory of a picture of width x height pixels: depth buffer, screen buffer, buffer of object references.
+/// The memory of a picture of this size: depth buffer, screen buffer, buffer of object references.
 /// needs   width >= 0, height >= 0
 /// gives   2^64 - 1 bytes where it is that or more
 /// exact   in integers; a last byte that is used in part counts as one
 /// source  Hidden-surface slides: 2048 x 1024 pixels, 256 depths, 2^24 colours: 2 MiB and 6 MiB
-[[nodiscard]] constexpr zbuffer_memory_table zbuffer_memory(int width, int height,
+[[nodiscard]] constexpr zbuffer_memory_table zbuffer_memory(const extent2& size,
                                                             const zbuffer_levels& levels) noexcept {
+  const auto [width, height] = size;
   IRG_EXPECTS(width >= 0 && height >= 0);
   constexpr std::uint64_t most = (std::numeric_limits<std::uint64_t>::max)();
   const auto plus = [](std::uint64_t a, std::uint64_t b) { return b > most - a ? most : a + b; };
@@ -57,6 +59,10 @@ inline namespace IRG_ABI {
   };
   const buffer_memory depth = buffer(levels.depth), colours = buffer(levels.colours), objects = buffer(levels.objects);
   return {depth, colours, objects, plus(plus(depth.bytes, colours.bytes), objects.bytes)};
+}
+[[nodiscard, deprecated("irg: zbuffer_memory({width, height}, levels)")]] constexpr zbuffer_memory_table zbuffer_memory(
+    int width, int height, const zbuffer_levels& levels) noexcept {
+  return zbuffer_memory({width, height}, levels);
 }
 
 }  // namespace IRG_ABI

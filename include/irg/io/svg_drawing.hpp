@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <irg/colour/pixel.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/io/detail/svg_runs.hpp>
 #include <irg/math/vec.hpp>
 
@@ -63,13 +64,17 @@ inline namespace IRG_ABI {
 template <class Sink>
 class svg_drawing {
 public:
-  constexpr svg_drawing(Sink& sink, int width, int height, const rgba8& background)
-      : sink_(sink), width_(width), height_(height) {
+  constexpr svg_drawing(Sink& sink, const extent2& size, const rgba8& background) : sink_(sink), size_(size) {
+    const auto [width, height] = size;
     put("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").put(width).put("\" height=\"").put(height);
     put("\" viewBox=\"0 0 ").put(width).put(" ").put(height).put("\">\n<rect width=\"100%\" height=\"100%\" ");
     detail::append_paint(text_, "fill", background);
     put("/>\n").flush();
   }
+  [[deprecated("irg: svg_drawing(sink, {width, height}, background)")]] constexpr svg_drawing(Sink& sink, int width,
+                                                                                              int height,
+                                                                                              const rgba8& background)
+      : svg_drawing(sink, extent2{width, height}, background) {}
 
   /// Lines added from here on are drawn so.
   constexpr void begin_lines(const svg_stroke& stroke) {
@@ -85,7 +90,7 @@ public:
   }
   /// A line; nothing where it lies beside the picture, in all its width.
   constexpr void add_line(const point<double, 2>& a, const point<double, 2>& b) {
-    const double left = -reach_, right = width_ + reach_, bottom = height_ + reach_;
+    const double left = -reach_, right = size_.width + reach_, bottom = size_.height + reach_;
     if ((a.x < left && b.x < left) || (a.y < left && b.y < left) || (a.x > right && b.x > right) ||
         (a.y > bottom && b.y > bottom))
       return;
@@ -140,7 +145,7 @@ private:
   }
 
   Sink& sink_;
-  int width_, height_;
+  extent2 size_;
   bool lines_ = false;
   double reach_ = 0;  // of a line to either side
   std::vector<std::uint8_t> text_{};

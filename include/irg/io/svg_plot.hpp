@@ -12,7 +12,7 @@ namespace irg::inline IRG_ABI {
 /// cost    some 60 bytes a line
 template <class Sink>
 constexpr void write_svg_plot(Sink& sink, const surface_plot& plot, const plot_colours& colours = {}) {
-  svg_drawing drawing(sink, plot.width, plot.height, colours.paper);
+  svg_drawing drawing(sink, {plot.width, plot.height}, colours.paper);
   const auto lines = [&](const auto& all, double width) {
     const rgba8* last = nullptr;
     for (const plot_line& l : all) {

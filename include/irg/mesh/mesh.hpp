@@ -80,6 +80,11 @@ constexpr void add_face(mesh<T>& m, const Indices& positions) {
   for (const auto i : positions) m.corners.push_back({static_cast<std::uint32_t>(i), no_index, no_index});
   m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
+/// The same of indices in braces: add_face(m, {0, 1, 2}).
+template <class T, std::integral Index, std::size_t N>
+constexpr void add_face(mesh<T>& m, const Index (&positions)[N]) {
+  add_face<T, Index[N]>(m, positions);
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg

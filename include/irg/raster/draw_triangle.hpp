@@ -208,7 +208,30 @@ constexpr draw_counts shade_triangle(Colour& colour, const screen_vertex (&v)[3]
                                                        shade_over<Shader>{shader}, window_of(colour));
 }
 
-IRG_RENAMED(draw_triangle, shade_triangle)
+// The old name, spelled out: calls of it have braces and template arguments, which IRG_RENAMED does not pass on.
+template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
+          PixelShader<pixel_of<Colour>> Shader>
+  requires detail::KeepsDepths<Depth, How>
+[[deprecated("irg: now shade_triangle")]] constexpr draw_counts draw_triangle(Colour& colour, Depth& depth,
+                                                                              const covered_triangle& t,
+                                                                              const Shader& shader,
+                                                                              const cell_window& window) {
+  return shade_triangle<How, Policy>(colour, depth, t, shader, window);
+}
+template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
+          PixelShader<pixel_of<Colour>> Shader>
+  requires detail::KeepsDepths<Depth, How>
+[[deprecated("irg: now shade_triangle")]] constexpr draw_counts draw_triangle(Colour& colour, Depth& depth,
+                                                                              const screen_vertex (&v)[3],
+                                                                              const Shader& shader) {
+  return shade_triangle<How, Policy>(colour, depth, v, shader);
+}
+template <RowRaster Colour, PixelShader<pixel_of<Colour>> Shader>
+[[deprecated("irg: now shade_triangle")]] constexpr draw_counts draw_triangle(Colour& colour,
+                                                                              const screen_vertex (&v)[3],
+                                                                              const Shader& shader) {
+  return shade_triangle(colour, v, shader);
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg

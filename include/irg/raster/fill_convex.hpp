@@ -39,8 +39,9 @@ constexpr bool fill_convex(R& raster, const Ring& ring, const Paint& paint) {
 }
 
 /// Paints the pixels of a triangle, each once.
+/// shape   in bare braces corners in pixels, as doubles
 /// gives   as fill_convex does
-template <WritableRaster R, class P, PaintFor<R> Paint = pixel_of<R>>
+template <WritableRaster R, class P = point<double, 2>, PaintFor<R> Paint = pixel_of<R>>
   requires FillableRing<P[3]>
 constexpr bool fill_triangle(R& raster, const P& a, const P& b, const P& c, const Paint& paint) {
   const P corners[3] = {a, b, c};

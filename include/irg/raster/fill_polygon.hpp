@@ -95,6 +95,13 @@ constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const P
     detail::paint_run(raster, y, first, last, prepared, ahead);
   });
 }
+/// The same of one ring in braces: fill_polygon(picture, {{2, 3}, {9, 3.5}, {4, 8}}, rule, paint).
+template <WritableRaster R, std::size_t N, PaintFor<R> Paint = pixel_of<R>, class Workspace = fill_workspace>
+  requires std::same_as<Workspace&, fill_workspace&>
+constexpr bool fill_polygon(R& raster, const point<double, 2> (&ring)[N], fill_rule rule, const Paint& paint,
+                            Workspace&& workspace = Workspace{}) {
+  return fill_polygon<R, point<double, 2>[N]>(raster, ring, rule, paint, workspace);
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -114,6 +114,14 @@ template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint = pixel
   requires std::same_as<Workspace&, coverage_workspace&>
 constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
                                Workspace&& workspace = Workspace{});
+/// The same of one ring in braces.
+template <WritableRaster R, std::size_t N, CoveragePaintFor<R> Paint = pixel_of<R>,
+          class Workspace = coverage_workspace>
+  requires std::same_as<Workspace&, coverage_workspace&>
+constexpr bool fill_polygon_aa(R& raster, const point<double, 2> (&ring)[N], fill_rule rule, const Paint& paint,
+                               Workspace&& workspace = Workspace{}) {
+  return fill_polygon_aa<R, point<double, 2>[N]>(raster, ring, rule, paint, workspace);
+}
 
 }  // namespace IRG_ABI
 

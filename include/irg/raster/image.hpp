@@ -10,6 +10,7 @@
 #include <irg/core/config.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/raster_concept.hpp>
+#include <irg/core/vocabulary.hpp>
 
 namespace irg {
 namespace detail {
@@ -109,6 +110,9 @@ public:
   IRG_INLINE constexpr image(int width, int height, const P& fill = P{})
       : width_((IRG_EXPECTS(width >= 0 && height >= 0), width)), height_(height),
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
+  /// The same of a size; not from bare braces, which could as well be an image.
+  template <std::same_as<extent2> Extent>
+  IRG_INLINE constexpr explicit image(const Extent& size, const P& fill = P{}) : image(size.width, size.height, fill) {}
 
   [[nodiscard]] IRG_INLINE constexpr int width() const noexcept { return width_; }
   [[nodiscard]] IRG_INLINE constexpr int height() const noexcept { return height_; }
@@ -128,6 +132,9 @@ public:
   [[nodiscard]] IRG_INLINE constexpr image_view<const P> view() const noexcept {
     return {pixels_.data(), width_, height_};
   }
+  /// The view, where one is asked for: functions that take views take images.
+  IRG_INLINE constexpr operator image_view<P>() & noexcept { return view(); }
+  IRG_INLINE constexpr operator image_view<const P>() const& noexcept { return view(); }
 
   bool operator==(const image&) const
     requires std::equality_comparable<P>

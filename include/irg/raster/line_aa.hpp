@@ -30,10 +30,11 @@ constexpr bool line_aa(const subpixel& a, const subpixel& b, const cell_window& 
                        const line_aa_options& options = {});
 
 /// Mixes the paint into the pixels of the line from a to b, as far as each is covered.
+/// shape   in bare braces positions in pixels, as doubles
 /// gives   false and nothing drawn when a coordinate is NaN or infinite or the width is out of range
 /// exact   the coverages of line_aa; pixels as by paint_pixel, those of coverage 0 keep their value. A line that ends
 ///         beyond snap_limit is cut there first, which moves it by at most 1/512 pixel on each axis
-template <WritableRaster R, ScreenPosition P, CoveragePaintFor<R> Paint = pixel_of<R>>
+template <WritableRaster R, ScreenPosition P = point<double, 2>, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& paint, const line_aa_options& options = {});
 
 }  // namespace IRG_ABI

@@ -65,26 +65,33 @@ template <Floating T>
 /// exact   as to_screen and classify; NaN is beyond every plane, what else is not finite beyond a depth plane
 /// cost    linear, in lanes; allocates what `out` lacks
 template <Floating T, Executor E = sequential>
-constexpr void project_vertices(projected_vertices<T>& out, std::span<const point<T, 3>> positions,
-                                const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping, const E& executor = {});
+constexpr void project_vertices(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
+                                const screen_mapping<T>& mapping, projected_vertices<T>& out, const E& executor = {});
 
 /// The same of positions of other types, such as glm::vec3, which `out` keeps as points of T.
 /// shape   anything with size() and [] that holds points; irg's own points of T stay where they are
 /// exact   positions to the nearest T first
 template <Floating T, SpaceRing A = std::span<const point<T, 3>>, Executor E = sequential>
   requires Floating<ring_scalar<A>>
-constexpr void project_vertices(projected_vertices<T>& out, const A& positions, const mat<T, 4, 4>& to_clip,
-                                const screen_mapping<T>& mapping, const E& executor = {}) {
+constexpr void project_vertices(const A& positions, const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping,
+                                projected_vertices<T>& out, const E& executor = {}) {
   if constexpr (std::convertible_to<const A&, std::span<const point<T, 3>>>) {
-    project_vertices(out, std::span<const point<T, 3>>(positions), to_clip, mapping, executor);
+    project_vertices(std::span<const point<T, 3>>(positions), to_clip, mapping, out, executor);
   } else {
     out.converted.clear();
     for (std::size_t k = 0; k < ring_size(positions); ++k) {
       const auto p = ring_vertex(positions, k);
       out.converted.push_back(generate_coordinates<point<T, 3>>([&](int i) { return converted<T>(coordinate(p, i)); }));
     }
-    project_vertices(out, std::span<const point<T, 3>>(out.converted), to_clip, mapping, executor);
+    project_vertices(std::span<const point<T, 3>>(out.converted), to_clip, mapping, out, executor);
   }
+}
+template <Floating T, SpaceRing A = std::span<const point<T, 3>>, Executor E = sequential>
+  requires Floating<ring_scalar<A>>
+[[deprecated("irg: project_vertices(positions, to_clip, mapping, out, executor)")]] constexpr void project_vertices(
+    projected_vertices<T>& out, const A& positions, const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping,
+    const E& executor = {}) {
+  project_vertices(positions, to_clip, mapping, out, executor);
 }
 
 /// All positions, projected.
@@ -94,7 +101,7 @@ template <Floating T, SpaceRing A = std::span<const point<T, 3>>, Executor E = s
                                                                const screen_mapping<T>& mapping,
                                                                const E& executor = {}) {
   projected_vertices<T> v;
-  project_vertices(v, positions, to_clip, mapping, executor);
+  project_vertices(positions, to_clip, mapping, v, executor);
   return v;
 }
 
@@ -130,7 +137,7 @@ struct vertex_range {
 
   constexpr clip_code_pair project_one(std::size_t i) const {
     const hpoint<T, 3> clip = to_clip * positions[i];
-    codes[i] = classify(clip, mapping);
+    codes[i] = clip_code(clip, mapping);
     screen[i] = codes[i].cut == 0 ? to_screen(clip, mapping) : screen_vertex{};
     return codes[i];
   }
@@ -205,8 +212,8 @@ constexpr clip_code_pair project_range(const vertex_range<T>& v, std::size_t fir
 inline namespace IRG_ABI {
 
 template <Floating T, Executor E>
-constexpr void project_vertices(projected_vertices<T>& out, std::span<const point<T, 3>> positions,
-                                const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping, const E& executor) {
+constexpr void project_vertices(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
+                                const screen_mapping<T>& mapping, projected_vertices<T>& out, const E& executor) {
   constexpr std::size_t portion = 8192;
   const std::size_t n = positions.size();
   out.positions = positions;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <irg/core/conversion.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/raster/subpixel.hpp>
@@ -43,14 +44,20 @@ inline namespace IRG_ABI {
   return {static_cast<std::uint8_t>(a.outside & b.outside), static_cast<std::uint8_t>(a.cut & b.cut)};
 }
 
-/// The mapping of clip space onto a picture of width x height pixels whose first pixel is (0, 0).
+/// The mapping of clip space onto a picture of this size whose first pixel is (0, 0).
 /// needs   1 <= width, height <= 65536
 template <Floating T>
-[[nodiscard]] constexpr screen_mapping<T> map_to_screen(int width, int height) noexcept {
+[[nodiscard]] constexpr screen_mapping<T> map_to_screen(const extent2& size) noexcept {
   // Up to 2^15 pixels from the picture's centre: coverage of small triangles then fits in 32 bits, and all in 64.
-  const T half_width = static_cast<T>(width) / T(2), half_height = static_cast<T>(height) / T(2), reach = T(1 << 15);
+  const T half_width = static_cast<T>(size.width) / T(2), half_height = static_cast<T>(size.height) / T(2);
+  const T reach = T(1 << 15);
   return {half_width,  half_height, half_width,
           half_height, {},          {clip_planes::all, reach / half_width, reach / half_height}};
+}
+template <Floating T>
+[[nodiscard, deprecated("irg: map_to_screen({width, height})")]] constexpr screen_mapping<T> map_to_screen(
+    int width, int height) noexcept {
+  return map_to_screen<T>({width, height});
 }
 
 /// Where a clip-space position stands on the screen.
@@ -72,11 +79,19 @@ template <Floating T>
 
 /// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.
 template <Floating T>
-[[nodiscard]] IRG_INLINE constexpr clip_code_pair classify(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
+[[nodiscard]] IRG_INLINE constexpr clip_code_pair clip_code(const hpoint<T, 3>& p,
+                                                            const screen_mapping<T>& m) noexcept {
   const clip_planes beyond = clip_code(p, m.guard);
   const bool is_no_position = beyond == clip_planes::none && !(T(0) < p.w);
   return {static_cast<std::uint8_t>(clip_code(p, m.picture)),
           static_cast<std::uint8_t>(is_no_position ? clip_planes::z_near : beyond)};
+}
+
+/// The old name of clip_code for what a picture shows.
+template <class T>
+[[nodiscard, deprecated("irg: now clip_code")]] constexpr clip_code_pair classify(const hpoint<T, 3>& p,
+                                                                                  const screen_mapping<T>& m) noexcept {
+  return clip_code(p, m);
 }
 
 }  // namespace IRG_ABI

@@ -49,7 +49,7 @@ inline namespace IRG_ABI {
 /// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates
 /// source  Newell, Newell and Sancha 1972 for the order, Porter and Duff 1984 for "over"
 template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::nearer, Floating T = double,
-          RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, class MakeShader,
+          RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>, class MakeShader,
           class Blend = over_in_light, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
 constexpr render_counts draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,

@@ -35,16 +35,16 @@ inline namespace IRG_ABI {
 ///         that name a vertex that is not there
 /// exact   the same bytes for every executor and for all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
-          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
+          RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
 constexpr render_counts shade_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
                                       const MakeShader& make_shader,
                                       const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {});
 
 /// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
-          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
+          RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && requires(const MakeShader& make_shader) {
     { make_shader(std::uint32_t{}, facing::front) } -> PixelShader<pixel_of<Colour>>;
   }
@@ -111,7 +111,20 @@ constexpr render_counts shade_batches(render_target<Colour, Depth> target, const
                                as_executor(executor));
 }
 
-IRG_RENAMED(draw_batches, shade_batches)
-IRG_RENAMED(draw_triangles, shade_triangles)
+// The old names, spelled out for calls with braces.
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
+          RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
+[[deprecated("irg: now shade_batches")]] constexpr render_counts draw_batches(
+    render_target<Colour, Depth> target, const projected_triangles<T>& triangles, const MakeShader& make_shader,
+    const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+  return shade_batches<Order, T, Colour, Depth>(target, triangles, make_shader, settings, executor);
+}
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
+          RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
+[[deprecated("irg: now shade_triangles")]] constexpr render_counts draw_triangles(
+    render_target<Colour, Depth> target, const projected_triangles<T>& triangles, const MakeShader& make_shader,
+    const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+  return shade_triangles<Order, T, Colour, Depth>(target, triangles, make_shader, settings, executor);
+}
 
 }  // namespace irg::inline IRG_ABI

@@ -48,7 +48,7 @@ struct mip_textured_pixels {
     if (t == nullptr) return encode({0, 0, 0});
     const image<rgb<float>>& whole = t->levels->levels[0];
     const rgb<float> texel = sample_mip_pyramid(
-        *t->levels, {at[0], at[1], mip_level(changes(at), whole.width(), whole.height())}, t->sampler);
+        *t->levels, {at[0], at[1], mip_level(changes(at), {whole.width(), whole.height()})}, t->sampler);
     return encode({product(texel.r, at[2]), product(texel.g, at[3]), product(texel.b, at[4])});
   }
   template <int N>
@@ -59,7 +59,7 @@ struct mip_textured_pixels {
       return pixels_one_by_one<N>(*this, at);
     const image<rgb<float>>& whole = t->levels->levels[0];
     const rgb<pack<float, N>> texel = sample_mip_pyramid<N>(
-        *t->levels, {at[0], at[1], mip_level<N>(changes(at), whole.width(), whole.height())}, t->sampler);
+        *t->levels, {at[0], at[1], mip_level<N>(changes(at), {whole.width(), whole.height()})}, t->sampler);
     return encode_lanes(texel.r * at[2], texel.g * at[3], texel.b * at[4]);
   }
 };
@@ -90,10 +90,14 @@ struct mip_textured_shader {
             change.down(a[0], b[0], c[0]),
             change.down(a[1], b[1], c[1])};
   }
-  /// The level at a pixel for a texture of width x height texels: mip_level of how u and v change there.
-  [[nodiscard]] IRG_INLINE constexpr float level(const std::same_as<pixel_weights<float>> auto& at, int width,
-                                                 int height) const noexcept {
-    return mip_level(shading.changes(values(at)), width, height);
+  /// The level at a pixel for a texture of this size: mip_level of how u and v change there.
+  [[nodiscard]] IRG_INLINE constexpr float level(const std::same_as<pixel_weights<float>> auto& at,
+                                                 const extent2& texture) const noexcept {
+    return mip_level(shading.changes(values(at)), texture);
+  }
+  [[nodiscard, deprecated("irg: level(weights, {width, height})")]] IRG_INLINE constexpr float level(
+      const std::same_as<pixel_weights<float>> auto& at, int width, int height) const noexcept {
+    return level(at, {width, height});
   }
   IRG_INLINE constexpr rgba8 operator()(const std::same_as<pixel_weights<float>> auto& at) const {
     return shading.pixel(values(at));

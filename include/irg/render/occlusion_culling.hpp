@@ -78,7 +78,7 @@ struct occlusion_view {
   projected_vertices<T> vertices;
 
   IRG_INLINE constexpr occlusion_view(const mat<T, 4, 4>& matrix, int w, int h, float key_sign, float farthest_key)
-      : to_clip(matrix), mapping(map_to_screen<T>(maximum(w, 1), maximum(h, 1))), width(w), height(h), sign(key_sign),
+      : to_clip(matrix), mapping(map_to_screen<T>({maximum(w, 1), maximum(h, 1)})), width(w), height(h), sign(key_sign),
         farthest(farthest_key), frustum(to_clip, mapping) {}
   IRG_INLINE constexpr bool has_pixels() const noexcept { return width > 0 && height > 0; }
 };
@@ -98,8 +98,11 @@ template <Floating T, DepthOrder Order = nearer_is_greater>
   requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
 class occlusion_culling {
 public:
-  IRG_INLINE constexpr occlusion_culling(const mat<T, 4, 4>& to_clip, int width, int height)
-      : view_(to_clip, width, height, detail::key_sign<Order>, Order::farthest * detail::key_sign<Order>) {}
+  IRG_INLINE constexpr occlusion_culling(const mat<T, 4, 4>& to_clip, const extent2& size)
+      : view_(to_clip, size.width, size.height, detail::key_sign<Order>, Order::farthest * detail::key_sign<Order>) {}
+  [[deprecated("irg: occlusion_culling(to_clip, {width, height})")]] IRG_INLINE constexpr occlusion_culling(
+      const mat<T, 4, 4>& to_clip, int width, int height)
+      : occlusion_culling(to_clip, extent2{width, height}) {}
 
   /// The objects that are worth drawing as occluders, the best first: those whose box covers 1024 pixels or more for
   /// each of their triangles.
@@ -169,12 +172,12 @@ IRG_INLINE constexpr object_culling<T>::object_culling(const mat<T, 4, 4>& to_cl
 
 template <class T>
 IRG_INLINE constexpr bool object_culling<T>::unseen(const box<T, 3>& b) const noexcept {
-  return side_of(depth, b) == containment::outside || (side_of(picture, b) == containment::outside && unclipped(b));
+  return classify(depth, b) == containment::outside || (classify(picture, b) == containment::outside && unclipped(b));
 }
 
 template <class T>
 IRG_INLINE constexpr bool object_culling<T>::unclipped(const box<T, 3>& b) const noexcept {
-  return side_of(guard, b) == containment::inside;
+  return classify(guard, b) == containment::inside;
 }
 
 inline namespace IRG_ABI {
@@ -419,7 +422,7 @@ constexpr void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> p
                             std::span<const triangle_indices> triangles, face_culling culling) {
   if (!v.has_pixels()) return;
   if (v.mask.layer.empty()) clear_block_mask(v.mask, v.width, v.height, v.sign, v.farthest);
-  project_vertices<T>(v.vertices, positions, v.to_clip, v.mapping);
+  project_vertices<T>(positions, v.to_clip, v.mapping, v.vertices);
   const triangle_batch<T> batch{&v.vertices, triangles, 0};
   const listing_rules<T> rules{v.mapping, {v.width, v.height}, culling};
   bin_portion scratch = scratch_portion(rules.grid);

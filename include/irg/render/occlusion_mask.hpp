@@ -185,7 +185,7 @@ constexpr occlusion test_triangles(const occluder_depths& m, const triangle_batc
 }  // namespace detail
 
 /// The depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile.
-/// shape   width x height pixels, each at the farthest depth at first
+/// shape   made of width and height or an extent2; each pixel at the farthest depth at first
 /// needs   1 <= width, height <= 65536 when anything is drawn
 /// exact   depths equal to those of draw_depth; the same answers for every executor, compiler and instruction set
 template <DepthOrder Order = nearer_is_greater>
@@ -199,6 +199,8 @@ public:
     memory_.farthest.resize(memory_.grid.count(), detail::farthest_keys{});
     memory_.touched.resize(memory_.grid.count(), 0);
   }
+  template <std::same_as<extent2> Extent>
+  IRG_INLINE constexpr explicit occlusion_mask(const Extent& size) : occlusion_mask(size.width, size.height) {}
 
   [[nodiscard]] IRG_INLINE constexpr int width() const noexcept { return memory_.grid.width; }
   [[nodiscard]] IRG_INLINE constexpr int height() const noexcept { return memory_.grid.height; }

@@ -25,27 +25,27 @@ struct picked_point {
 
 inline namespace IRG_ABI {
 
-/// What is seen in pixel (x, y) of a picture of this size.
+/// What is seen in a pixel of a picture of this size.
 /// needs   as render
 /// gives   nothing outside of the picture and where the background is seen
 /// exact   the face that render() shows there; the point is rounded
 /// cost    the vertices and triangles once, as for a picture, then the triangles of one tile: for a click. All pixels
 ///         of a picture: draw_visibility
 template <Floating T>
-constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, cell size, cell pixel,
+constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, const extent2& size, cell pixel,
                                               face_culling culling = face_culling::back) {
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
-  const screen_mapping<T> mapping = map_to_screen<T>(size.x, size.y);
-  const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(size.x) / static_cast<T>(size.y));
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return std::nullopt;
+  const screen_mapping<T> mapping = map_to_screen<T>(size);
+  const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(size.width) / static_cast<T>(size.height));
   std::vector<triangle_batch<T>> batches;
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
     prepared_object<T>& o = world.objects[i];
-    project_vertices<T>(detail::kept_of(o).vertices, o.body.positions, to_clip, mapping);
+    project_vertices<T>(o.body.positions, to_clip, mapping, detail::kept_of(o).vertices);
     batches.push_back({&detail::kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }
-  const detail::picture_tiles grid(size.x, size.y);
+  const detail::picture_tiles grid(size.width, size.height);
   detail::triangle_bins& bins = detail::lists_of(world.workspace).bins;
   detail::bin_triangles<T>(bins, batches, {mapping, grid, culling}, as_executor(sequential{}));
   const std::size_t tile =
@@ -77,10 +77,17 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, cell siz
 /// The same of a scene as it is, for one click.
 /// cost    as prepare_scene, too
 template <Floating T>
-[[nodiscard]] constexpr std::optional<picked_point<T>> pick(const scene<T>& world, cell size, cell pixel,
+[[nodiscard]] constexpr std::optional<picked_point<T>> pick(const scene<T>& world, const extent2& size, cell pixel,
                                                             face_culling culling = face_culling::back) {
   prepared_scene<T> ready = prepare_scene(world);
   return pick(ready, size, pixel, culling);
+}
+
+// A size that is a cell, which no bare braces are.
+template <class World, std::same_as<cell> Size>
+[[deprecated("irg: pick(world, extent2{width, height}, pixel)")]] constexpr auto pick(
+    World&& world, const Size& size, cell pixel, face_culling culling = face_culling::back) {
+  return pick(world, extent2{size.x, size.y}, pixel, culling);
 }
 
 }  // namespace IRG_ABI

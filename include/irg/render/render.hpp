@@ -39,30 +39,40 @@ inline namespace IRG_ABI {
 ///         later covers what was drawn before
 /// exact   the same bytes for every executor, compiler, instruction set and for skipping on and off
 /// cost    the vertices and triangles once, then the pixels
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,
-          class Observer = no_observer>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          Executor E = sequential, class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts render(const scene<T>& world, render_target<Colour, Depth> target,
                                const render_options& options = {}, const E& executor = {}, Observer&& observer = {});
 
-/// As above, with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as ever.
+/// Renders a scene with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as
+/// ever.
+/// needs   as render
 /// gives   what the method finds. Nothing is left out because something else hides it, `options.hidden` has no say, and
 ///         edges are not faces: `wire` is drawn as `flat`. A method that says that it `finds_nearest()` is not asked
 ///         about windows that show the front faces of one convex body alone: pixels.convex counts these faces
 /// exact   where the method finds the nearest face by the picture's rule, the bytes of the z-buffer, depths included
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, HiddenSurfaceMethod<T> Method,
-          Executor E = sequential>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          HiddenSurfaceMethod<T> Method, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_counts render(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
-                               render_options options = {}, const E& executor = {});
+constexpr render_counts render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+                                    render_options options = {}, const E& executor = {});
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          HiddenSurfaceMethod<T> Method, Executor E = sequential>
+  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
+[[deprecated("irg: render_with(method, world, target, ..)")]] constexpr render_counts render(
+    const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+    const render_options& options = {}, const E& executor = {}) {
+  return render_with(method, world, target, options, executor);
+}
 
-/// As above, of a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are
+/// Renders a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are
 /// worked out anew only where light, eye or style have changed since the last picture.
 /// shape   prepare_scene(world) makes such a scene
 /// exact   the same bytes as from the scene it was made of
 /// cost    the vertices once, then the pixels
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,
-          class Observer = no_observer>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          Executor E = sequential, class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts render(prepared_scene<T>& world, render_target<Colour, Depth> target,
                                const render_options& options = {}, const E& executor = {}, Observer&& observer = {});
@@ -128,7 +138,7 @@ struct picture_frame {
 
   constexpr picture_frame(const auto& world, int w, int h, const render_options& how)
       : view(world.view), light{world.ambient, world.lights, world.distance, world.k}, options(how), width(w),
-        height(h), mapping(map_to_screen<T>(w, h)),
+        height(h), mapping(map_to_screen<T>({w, h})),
         to_clip(view_projection(view, static_cast<T>(w) / static_cast<T>(h))) {}
 };
 
@@ -162,7 +172,7 @@ IRG_NOINLINE constexpr object_selection select_objects(const picture_frame<T>& f
   extents.reserve(candidates.size());
   result.drawn.reserve(candidates.size());
   for (const std::uint32_t k : candidates) extents.push_back(objects.made[k].extent);
-  occlusion_culling<T> boxes(f.to_clip, f.width, f.height);
+  occlusion_culling<T> boxes(f.to_clip, {f.width, f.height});
   if (options.hidden != hidden_surface_method::none && options.skip.occluded == skipping::on)
     for (const std::uint32_t i : boxes.choose_occluders(extents)) {
       const drawable<T>& body = prepared(objects, candidates[i]).body;
@@ -203,7 +213,7 @@ constexpr projected_objects<T> project_objects(const picture_frame<T>& f, const 
     observer(render_stage::prepare);
     to.shadings.emplace_back(o, f.light, eye).prepare(f.options.style, f.options.culling, executor);
     observer(render_stage::shade);
-    project_vertices<T>(kept_of(o).vertices, o.body.positions, f.to_clip, f.mapping, executor);
+    project_vertices<T>(o.body.positions, f.to_clip, f.mapping, kept_of(o).vertices, executor);
     to.batches.push_back(
         {&kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(to.batches.size())});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
@@ -381,8 +391,8 @@ constexpr render_counts render(const scene<T>& world, render_target<Colour, Dept
 
 template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_counts render(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
-                               render_options options, const E& executor) {
+constexpr render_counts render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+                                    render_options options, const E& executor) {
   const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   options.skip.occluded = skipping::off;

@@ -34,7 +34,7 @@ struct prepared_rooms {
 inline namespace IRG_ABI {
 
 /// For each cell the pixels of a picture in which something of it may be seen; an empty window where nothing can.
-/// needs   a plan without defects, its graph, 1 <= width, height <= 65536
+/// needs   a plan without defects, its graph, a size from 1 x 1 to 65536 x 65536
 /// gives   too much, never too little, of what rays from the near plane's points in cells see: rectangles, one pixel
 ///         wider than what they hold, and the whole picture for each cell that is near enough to hold such a point, or
 ///         for all when none is, and in parallel projections, whose rays come from outside
@@ -43,7 +43,12 @@ inline namespace IRG_ABI {
 /// source  Luebke and Georges 1995
 template <Floating T>
 [[nodiscard]] constexpr std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
-                                                               const camera<T>& view, int width, int height);
+                                                               const camera<T>& view, const extent2& size);
+template <Floating T>
+[[nodiscard, deprecated("irg: visible_rooms(plan, doors, view, {width, height})")]] constexpr std::vector<cell_window>
+visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors, const camera<T>& view, int width, int height) {
+  return visible_rooms(plan, doors, view, {width, height});
+}
 
 /// Renders a building into a picture and its depth buffer, both overwritten, and returns what it did.
 /// needs   as render(); a plan without defects and its graph, an object for each of its cells. What is in a cell lies
@@ -54,7 +59,8 @@ template <Floating T>
 ///         two doors ending at one point. Where rooms touch back to back, a triangle of a skipped one that is thinner
 ///         than a 256th of a pixel may have shown its back as front: about one pixel in 5 million
 /// cost    as render(), for the rooms that are seen
-template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
+template <Floating T, RowRaster Colour = image_view<rgba8>, RowRaster Depth = image_view<float>,
+          Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
                                const render_options& options = {}, const E& executor = {});
@@ -164,9 +170,9 @@ namespace irg::inline IRG_ABI {
 
 template <Floating T>
 [[nodiscard]] constexpr std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
-                                                               const camera<T>& view, int width, int height) {
-  IRG_EXPECTS(width >= 1 && height >= 1);
-  return detail::room_windows<T>(plan, view, {0, 0, width, height}).find(doors);
+                                                               const camera<T>& view, const extent2& size) {
+  IRG_EXPECTS(size.width >= 1 && size.height >= 1);
+  return detail::room_windows<T>(plan, view, {0, 0, size.width, size.height}).find(doors);
 }
 
 template <Floating T, RowRaster Colour, RowRaster Depth, Executor E>
@@ -179,7 +185,7 @@ constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour
   std::vector<std::uint32_t> candidates;
   std::vector<cell_window> windows(building.plan.cells.size(), cell_window{0, 0, width, height});
   if (options.skip.rooms == skipping::on)
-    windows = visible_rooms(building.plan, building.doors, building.world.view, width, height);
+    windows = visible_rooms(building.plan, building.doors, building.world.view, {width, height});
   std::int64_t skipped = 0;
   for (std::uint32_t i = 0; i < building.world.objects.size(); ++i)
     if (i < windows.size() && windows[i].empty())

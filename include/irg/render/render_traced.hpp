@@ -18,13 +18,14 @@ namespace irg {
 
 /// How a traced picture is taken: of samples by samples rays a pixel, 1 to 16, on a grid; fewer where a side of the
 /// picture would be of more than 65536 of them.
+/// shape   optic i belongs to object i; objects beyond their number are opaque and mirror nothing
 template <Floating T>
 struct traced_options {
   trace_options<T> limits{};
   int samples = 1;
   face_culling culling = face_culling::back;
   picture_colours colours{};  // of which the background is seen
-  bool operator==(const traced_options&) const = default;
+  std::span<const irg::optics<T>> optics{};
 };
 
 /// An executor that tells, after each task, that it is done: for a bar that shows how far long work has come. It calls
@@ -92,7 +93,6 @@ constexpr void encode_means(Colour& colour, const image<rgb<float>>& light, int 
 inline namespace IRG_ABI {
 
 /// Renders a scene by rays into a picture, which is overwritten, and returns what it did.
-/// shape   optic i belongs to object i; objects beyond their number are opaque and mirror nothing
 /// needs   as render
 /// gives   the background alone for a scene without objects, and where rays leave the scene. Normals are those of the
 ///         style phong; where they come to 0, the triangle's own, where render() has ambient light alone. But for such
@@ -102,8 +102,8 @@ inline namespace IRG_ABI {
 /// source  Whitted 1980
 template <Floating T, RowRaster Colour, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8>
-constexpr render_counts render_traced(const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic,
-                                      Colour& colour, const traced_options<T>& options = {}, const E& executor = {}) {
+constexpr render_counts render_traced(const scene<T>& world, Colour& colour, const traced_options<T>& options = {},
+                                      const E& executor = {}) {
   if (width_of(colour) == 0 || height_of(colour) == 0) return {};
   const int longer = maximum(width_of(colour), height_of(colour));
   const int samples = clamped(minimum(options.samples, 65536 / longer), 1, 16);
@@ -111,14 +111,14 @@ constexpr render_counts render_traced(const scene<T>& world, std::type_identity_
   prepared_scene<T> ready = prepare_scene(world);
   std::vector<traced_body<T>> bodies;
   std::vector<triangle_batch<T>> batches;
-  const screen_mapping<T> mapping = map_to_screen<T>(width, height);
+  const screen_mapping<T> mapping = map_to_screen<T>({width, height});
   const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(width) / static_cast<T>(height));
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < ready.objects.size(); ++i) {
     prepared_object<T>& o = ready.objects[i];
-    bodies.push_back(
-        {o.body.positions, o.body.normals, o.body.triangles, o.surface, i < optic.size() ? optic[i] : optics<T>{}});
-    project_vertices<T>(detail::kept_of(o).vertices, o.body.positions, to_clip, mapping, executor);
+    bodies.push_back({o.body.positions, o.body.normals, o.body.triangles, o.surface,
+                      i < options.optics.size() ? options.optics[i] : optics<T>{}});
+    project_vertices<T>(o.body.positions, to_clip, mapping, detail::kept_of(o).vertices, executor);
     batches.push_back({&detail::kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }
@@ -137,6 +137,14 @@ constexpr render_counts render_traced(const scene<T>& world, std::type_identity_
                                        executor);
   detail::encode_means(colour, light, samples);
   return stats;
+}
+template <Floating T, RowRaster Colour, Executor E = sequential>
+  requires std::same_as<pixel_of<Colour>, rgba8>
+[[deprecated("irg: render_traced(world, picture, {.optics = ..}, executor)")]] constexpr render_counts render_traced(
+    const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic, Colour& colour,
+    traced_options<T> options = {}, const E& executor = {}) {
+  options.optics = optic;
+  return render_traced(world, colour, options, executor);
 }
 
 }  // namespace IRG_ABI

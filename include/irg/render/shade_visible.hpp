@@ -37,8 +37,8 @@ inline namespace IRG_ABI {
 ///         nothing is cleared
 /// exact   with the ids of draw_visibility the bytes of shade_batches; the same for every executor
 /// cost    the triangles are culled and listed once more; then each pixel once
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
-          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image_view<rgba8>,
+          RowRaster Depth = image_view<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
 constexpr render_counts shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
                                       const MakeShader& make_shader,

@@ -53,8 +53,8 @@ inline namespace IRG_ABI {
 /// exact   the depths and triangles of shade_batches, the same bytes for every executor and all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 /// source  Burns and Hunt 2013
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image<std::uint32_t>,
-          RowRaster Depth = image<float>, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image_view<std::uint32_t>,
+          RowRaster Depth = image_view<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
                                         const draw_depth_options& settings = {}, const E& executor = {}) {

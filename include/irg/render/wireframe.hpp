@@ -33,7 +33,7 @@ inline namespace IRG_ABI {
 
 /// Draws the edges of a mesh's faces, each once, and returns what it did: `triangles` counts n - 2 for a face of
 /// n corners, pixels.shaded the cells of all lines.
-/// shape   faces may have any number of corners; for doubles `{vertices, mesh, mapping}` is enough at the call
+/// shape   faces may have any number of corners; `{vertices, mesh, mapping}` is enough at the call
 /// needs   face_starts as in mesh.hpp
 /// gives   faces wholly beyond a border of the picture or of the depth range are passed over and counted as
 ///         skipped.frustum, none when drawn.frustum is off; of the others those that face away are left out when
@@ -44,6 +44,13 @@ inline namespace IRG_ABI {
 template <Floating T = double, RowRaster Colour, Executor E = sequential>
 constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
                                        face_culling culling = face_culling::none, const E& executor = {});
+
+/// The same of floats.
+template <RowRaster Colour, Executor E = sequential>
+constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<float>& drawn, const pixel_of<Colour>& line,
+                                       face_culling culling = face_culling::none, const E& executor = {}) {
+  return draw_wireframe<float>(colour, drawn, line, culling, executor);
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg

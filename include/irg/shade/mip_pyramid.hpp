@@ -112,12 +112,16 @@ template <TextureRaster R>
 }
 
 /// The level whose texels are as large as pixels: the binary logarithm of the longer side of a pixel's image in a
-/// texture of width x height texels.
+/// texture of this size, in texels.
 /// gives   0 where texels are larger than pixels, and for NaN; at most 32
 /// exact   within 2 ulp of 1/2 log2 of the longer side's square
 /// source  Williams 1983
-[[nodiscard]] constexpr float mip_level(const texture_derivatives& d, int width, int height) noexcept {
-  return 0.5f * log2(detail::squared_side(d, width, height));
+[[nodiscard]] constexpr float mip_level(const texture_derivatives& d, const extent2& texture) noexcept {
+  return 0.5f * log2(detail::squared_side(d, texture.width, texture.height));
+}
+[[nodiscard, deprecated("irg: mip_level(derivatives, {width, height})")]] constexpr float mip_level(
+    const texture_derivatives& d, int width, int height) noexcept {
+  return mip_level(d, {width, height});
 }
 
 /// The value at a place of a texture's levels: trilinear, between the two levels next to `level`, each sampled as the

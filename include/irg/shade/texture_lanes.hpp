@@ -22,8 +22,13 @@ rgb<pack<float, N>> sample_texture(const image_view<const rgba8>& texture, const
 /// The levels of N pixels.
 /// exact   mip_level's own
 template <int N>
-[[nodiscard]] IRG_INLINE pack<float, N> mip_level(const texture_derivatives_of<pack<float, N>>& d, int width,
-                                                  int height) noexcept;
+[[nodiscard]] IRG_INLINE pack<float, N> mip_level(const texture_derivatives_of<pack<float, N>>& d,
+                                                  const extent2& texture) noexcept;
+template <int N>
+[[nodiscard, deprecated("irg: mip_level(derivatives, {width, height})")]] IRG_INLINE pack<float, N> mip_level(
+    const texture_derivatives_of<pack<float, N>>& d, int width, int height) noexcept {
+  return mip_level<N>(d, {width, height});
+}
 
 /// The values of a texture's levels at N places.
 /// exact   sample_mip_pyramid's own
@@ -163,9 +168,9 @@ rgb<pack<float, N>> sample_texture(const image_view<const rgba8>& texture, const
 }
 
 template <int N>
-[[nodiscard]] IRG_INLINE pack<float, N> mip_level(const texture_derivatives_of<pack<float, N>>& d, int width,
-                                                  int height) noexcept {
-  return detail::log2_lanes(detail::squared_side(d, width, height)) * 0.5f;
+[[nodiscard]] IRG_INLINE pack<float, N> mip_level(const texture_derivatives_of<pack<float, N>>& d,
+                                                  const extent2& texture) noexcept {
+  return detail::log2_lanes(detail::squared_side(d, texture.width, texture.height)) * 0.5f;
 }
 
 template <int N>

@@ -21,8 +21,8 @@ inline constexpr bool is_sign_word<map_orientation> = true;
 
 inline namespace IRG_ABI {
 
-/// Moves everything by v.
-template <Vector V>
+/// Moves everything by v, in bare braces one of doubles.
+template <Vector V = vec<double, 3>>
   requires(size_of<V> == 3)
 [[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> translation(const V& v) noexcept {
   auto m = identity_matrix<scalar_of<V>, 4>();
@@ -77,7 +77,7 @@ template <Floating T>
 /// gives   the identity for an axis that is zero, NaN or infinite
 /// exact   entries within 10u of the true ones (u = 2^-53, float 2^-24; found: 7.1u), orthonormal within 16u
 /// source  Rodrigues 1840
-template <Vector V>
+template <Vector V = vec<double, 3>>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
 [[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> rotation(const V& axis, scalar_of<V> angle) noexcept {
   using T = scalar_of<V>;

@@ -84,7 +84,7 @@ template <Real T>
 /// cost    per plane two scalar products
 /// source  Assarsson and Moller 2000: the corner nearest to the plane and the one farthest from it
 template <Real T>
-[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept;
+[[nodiscard]] constexpr containment classify(const frustum<T>& f, const box<T, 3>& b) noexcept;
 
 /// Where a ball lies with regard to a frustum.
 /// needs   normals of length 1, as frustum_of and with_unit_normals have them
@@ -92,15 +92,15 @@ template <Real T>
 /// exact   as for a box
 /// cost    per plane one scalar product
 template <Floating T>
-[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept;
+[[nodiscard]] constexpr containment classify(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept;
 
 /// Where a position lies with regard to a frustum; on its boundary, in floats beside it by rounding: crossing.
 /// gives   in rationals inside for the boundary too; crossing for NaN
 /// exact   as for a box
 template <Real T>
-[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const point<T, 3>& p) noexcept {
+[[nodiscard]] constexpr containment classify(const frustum<T>& f, const point<T, 3>& p) noexcept {
   const box<T, 3> b{p, p};
-  return b.empty() ? containment::crossing : side_of(f, b);
+  return b.empty() ? containment::crossing : classify(f, b);
 }
 
 /// The frustum with normals of length 1.
@@ -208,7 +208,7 @@ template <Real T>
 }
 
 template <Real T>
-[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept {
+[[nodiscard]] constexpr containment classify(const frustum<T>& f, const box<T, 3>& b) noexcept {
   if (b.empty()) return containment::outside;
   const auto size = [](const T& x) { return x < T(0) ? T(-x) : x; };
   const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return maximum(size(b.low[i]), size(b.high[i])); });
@@ -229,7 +229,7 @@ template <Real T>
 }
 
 template <Floating T>
-[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept {
+[[nodiscard]] constexpr containment classify(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept {
   if (ball.radius < T(0)) return containment::outside;
   const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return magnitude(ball.centre[i]); });
   bool inside = true;
@@ -243,6 +243,13 @@ template <Floating T>
     inside = inside && radius + margin <= value;
   }
   return inside ? containment::inside : containment::crossing;
+}
+
+/// The old name of classify for what a frustum holds.
+template <Floating T, class Body>
+[[nodiscard, deprecated("irg: now classify")]] constexpr containment side_of(const frustum<T>& f,
+                                                                             const Body& body) noexcept {
+  return classify(f, body);
 }
 
 template <Floating T>

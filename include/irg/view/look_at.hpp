@@ -43,13 +43,14 @@ inline namespace IRG_ABI {
 
 /// The matrix from world space into the space of a camera at `eye`, and whether a fallback was needed. In camera space
 /// the eye is the origin, the view goes along -z, x points to the right and y up; like the world it is right-handed.
+/// shape   in bare braces points of doubles, or of the type of the others
 /// gives   `up_parallel` when up is zero or makes an angle with the view whose sine is at most 8u: the coordinate axis
 ///         least aligned with the view (the first of x, y, z on a tie) stands in for it; `eye_at_target`: the view goes
 ///         along the world's -z; `not_finite`, with the identity, when a coordinate is NaN or infinite, or one of eye
 ///         or target is beyond a quarter of the largest number. The matrix is finite always
 /// exact   axes of length 1 and at right angles within 8u, determinant 1 within 16u (u = 2^-53, float 2^-24), however
 ///         near or far the target and however nearly parallel up
-template <Point P, Vector V>
+template <Point P = point<double, 3>, Vector V = vec<scalar_of<P>, 3>>
   requires(size_of<P> == 3 && size_of<V> == 3 && std::same_as<scalar_of<P>, scalar_of<V>> && Floating<scalar_of<P>>)
 constexpr checked<mat<scalar_of<P>, 4, 4>, look_at_status> look_at_checked(const P& eye, const P& target,
                                                                            const V& up) noexcept {
@@ -81,7 +82,7 @@ constexpr checked<mat<scalar_of<P>, 4, 4>, look_at_status> look_at_checked(const
 
 /// The matrix from world space into the space of a camera at `eye` that looks at `target`; see look_at_checked, whose
 /// fallbacks it takes without a word.
-template <Point P, Vector V>
+template <Point P = point<double, 3>, Vector V = vec<scalar_of<P>, 3>>
   requires(size_of<P> == 3 && size_of<V> == 3 && std::same_as<scalar_of<P>, scalar_of<V>> && Floating<scalar_of<P>>)
 constexpr mat<scalar_of<P>, 4, 4> look_at(const P& eye, const P& target, const V& up) noexcept {
   return look_at_checked(eye, target, up).value;

@@ -107,5 +107,12 @@ template <CellGrid G>
   return true;
 }
 
+// The old name, spelled out for calls with braces.
+template <CellGrid G>
+[[nodiscard, deprecated("irg: now has_line_of_sight")]] constexpr bool see(const G& g, const cell3& a, const cell3& b,
+                                                                           const line_of_sight_options& rules = {}) {
+  return has_line_of_sight(g, a, b, rules);
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -59,8 +59,10 @@ struct visible_region {
   std::vector<sight_vertex<T>> ring{};
   bool operator==(const visible_region&) const = default;
 
-  /// Whether the source stands free; on an obstacle or the boundary, where this is false, there is a region, too.
-  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == visibility_status::ok; }
+  /// Whether there is a region.
+  IRG_INLINE constexpr explicit operator bool() const noexcept {
+    return status <= visibility_status::source_on_boundary;
+  }
 };
 
 /// What a visibility polygon took. Where ends lie in one direction `compared` and `crossings` may depend on the order
@@ -99,8 +101,10 @@ struct source_regions {
   std::size_t skipped = 0;  // those of them at which nothing can change
   bool operator==(const source_regions&) const = default;
 
-  /// Whether the source stands free; on an obstacle or the boundary, where this is false, there are regions, too.
-  IRG_INLINE constexpr explicit operator bool() const noexcept { return status == visibility_status::ok; }
+  /// Whether there are regions.
+  IRG_INLINE constexpr explicit operator bool() const noexcept {
+    return status <= visibility_status::source_on_boundary;
+  }
 };
 
 }  // namespace irg

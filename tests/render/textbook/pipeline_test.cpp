@@ -52,7 +52,7 @@ template <class Shade = decltype(by_number)>
 constexpr canvas own(const std::vector<P>& corners, const matrix& to_clip, int width, int height,
                      const Shade& shade = by_number) {
   canvas c(width, height);
-  const auto mapping = irg::map_to_screen<double>(width, height);
+  const auto mapping = irg::map_to_screen<double>({width, height});
   const auto vertices = irg::project_vertices<double>(corners, to_clip, mapping);
   std::vector<irg::triangle_indices> triangles;
   for (std::uint32_t k = 0; k + 2 < corners.size(); k += 3) triangles.push_back({{k, k + 1, k + 2}});

@@ -11,9 +11,6 @@
 
 namespace irg::textbook {
 
-/// The corners of a convex flat polygon.
-using space_corners = std::vector<point<double, 3>>;
-
 inline namespace IRG_ABI {
 
 /// What of a convex polygon lies on one side of a plane; both sides get the same new points.

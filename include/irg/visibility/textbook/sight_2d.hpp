@@ -80,12 +80,11 @@ template <CellGrid G>
 /// cost    two walks, and a cell of memory for each cell listed
 /// source  Fabris 2012, 4.3.4; printed: no third cells of steep lines, the start may be lost, the target stands twice
 template <CellGrid G>
-[[nodiscard]] constexpr sight_list_result sight_list(const G& g, cell a, cell b,
-                                                     corner_case corners = corner_case::both) {
-  sight_list_result out{sight_2d(g, a, b, corners)};
+[[nodiscard]] constexpr sight_list_result sight_list(const G& g, cell a, cell b, corner_case rule = corner_case::both) {
+  sight_list_result out{sight_2d(g, a, b, rule)};
   if (out.seen == sight::blocked) return out;
   const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
-  const bool blames_aside = corners == corner_case::as_printed && dx != dy && dx != -dy;
+  const bool blames_aside = rule == corner_case::as_printed && dx != dy && dx != -dy;
   out.cells.push_back(a);
   sight_steps(a, b, [&](const sight_step& s) {
     out.cells.back() = s.at;

@@ -54,12 +54,18 @@ IRG_INLINE constexpr drawing_lists& lists_of(draw_workspace& w) noexcept { retur
 }  // namespace detail
 
 /// Where drawing goes: a raster of colours or numbers, and the depths of what it shows, of one size. At a call
-/// `{picture, depth}` is enough where they are the images that the function takes by default, else
+/// `{picture, depth}` is enough where they are images or views of the pixels that the function takes by default, else
 /// `irg::render_target{picture, depth}`.
 template <RowRaster Colour, RowRaster Depth>
 struct render_target {
   Colour& colour;
   Depth& depth;
+};
+/// Of two views, which images become on the way in.
+template <class P, class Z>
+struct render_target<image_view<P>, image_view<Z>> {
+  image_view<P> colour;
+  image_view<Z> depth;
 };
 template <class Colour, class Depth>
 render_target(Colour&, Depth&) -> render_target<Colour, Depth>;
