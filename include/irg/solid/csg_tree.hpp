@@ -79,7 +79,7 @@ template <Floating T>
 /// The mesh of a tree.
 /// shape   faces and corners tell where they come from among the tree's bodies
 /// needs   bodies as solid_boolean
-/// gives   as solid_boolean; a status other than done, and no faces, where one of the bodies that the last step uses is
+/// gives   as solid_boolean; a status other than ok, and no faces, where one of the bodies that the last step uses is
 ///         none
 /// exact   every decision, as deep as the tree may be: all bodies are cut at each other at once, and each corner is one
 ///         of theirs or where three of their planes meet, rounded when it is handed out and nowhere before

@@ -67,7 +67,7 @@ template <Floating T>
 /// What a point, a segment or an area sees of the inside of a ring, and it of them: each place in one each place in the
 /// other, some of them, or nothing.
 /// shape   the source as for weak_visibility; `region` is a ring that does not meet itself. Neither stops sight
-/// gives   what is seen in single lines only counts as nothing; `none` beside every status but `done`
+/// gives   what is seen in single lines only counts as nothing; `none` beside every status but `ok`
 /// exact   for all finite floats and doubles
 /// cost    as weak_visibility
 template <Floating T>

@@ -10,7 +10,7 @@
 namespace irg::textbook {
 
 /// The common part of two polygons, and the two lists of the method.
-/// shape   rings directed as the polygons'; entering and leaving have a meaning where the status is `done`
+/// shape   rings directed as the polygons'; entering and leaving have a meaning where the status is `ok`
 template <Floating T>
 struct weiler_atherton_clip {
   weiler_atherton_status status = weiler_atherton_status::ok;
