@@ -62,9 +62,9 @@
 #endif
 
 // Doors: the functions of the heavy half, which a program that links irg::compiled finds in that library. There
-// IRG_COMPILED is defined, doors are declared and their bodies not read: IRG_BODIES is 0. Constant evaluation needs bodies:
-// a file that defines IRG_HEADER_ONLY before its first header of irg has them, as if there were no library. The library's
-// own files define IRG_COMPILING.
+// IRG_COMPILED is defined, doors are declared and their bodies not read: IRG_BODIES is 0. Constant evaluation needs
+// bodies: a file that defines IRG_HEADER_ONLY before its first header of irg has them, as if there were no library. The
+// library's own files define IRG_COMPILING.
 //   IRG_DOOR   stands where constexpr would, in the door's declaration and in its definition
 //   IRG_DOORS  names the inline namespace of doors: one for all instruction sets where they are compiled apart
 // Doors are templates, whose instances src/*.cpp lists. Whatever calls them differs between the three, and so does the
@@ -83,7 +83,11 @@
 #define IRG_JOIN(major, isa, fma, checks, linkage) IRG_JOIN_EXPANDED(major, isa, fma, checks, linkage)
 #define IRG_ABI IRG_JOIN(IRG_VERSION_MAJOR, IRG_ISA, IRG_ISA_FMA, IRG_CHECKS, IRG_LINKAGE)
 #if defined(IRG_COMPILING) || !IRG_BODIES
+#ifdef __GNUC__
+#define IRG_DOOR [[gnu::visibility("default")]]
+#else
 #define IRG_DOOR
+#endif
 #define IRG_JOIN_DOORS_EXPANDED(major, minor, decisions) doors_v##major##_##minor##_##decisions
 #define IRG_JOIN_DOORS(major, minor, decisions) IRG_JOIN_DOORS_EXPANDED(major, minor, decisions)
 #ifdef IRG_ALLOW_FAST_MATH

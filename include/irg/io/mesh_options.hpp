@@ -17,7 +17,8 @@ namespace irg {
 /// How a mesh's numbers stand in a file: as decimal text, or as bytes with the lowest or the highest first.
 enum class mesh_encoding { text, little_endian, big_endian };
 
-/// What to do with statements of OBJ that the mesh has no place for: points, lines, curves, smoothing groups and the like.
+/// What to do with statements of OBJ that the mesh has no place for: points, lines, curves, smoothing groups and the
+/// like.
 enum class obj_unused { skip, refuse };
 
 /// Files of more bytes are not read: 4 GiB, so that 32 bits count the corners of every mesh.

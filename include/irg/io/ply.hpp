@@ -509,7 +509,7 @@ template <Floating T>
 
 template <Floating T>
 [[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_ply(const mesh<T>& m,
-                                                                                   mesh_encoding encoding) {
+                                                                                  mesh_encoding encoding) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   const auto v = detail::vertices_to_write(m);
   std::size_t most_corners = 0;

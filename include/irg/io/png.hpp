@@ -49,7 +49,9 @@ struct png_pixels {
   std::size_t width = 0, height = 0;
   bool has_colour = true, has_opacity = true;
 
-  IRG_INLINE constexpr std::size_t channels() const noexcept { return (has_colour ? 3u : 1u) + (has_opacity ? 1u : 0u); }
+  IRG_INLINE constexpr std::size_t channels() const noexcept {
+    return (has_colour ? 3u : 1u) + (has_opacity ? 1u : 0u);
+  }
 };
 
 }  // namespace irg::detail

@@ -283,7 +283,7 @@ template <Floating T>
 
 template <Floating T>
 [[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_stl(const mesh<T>& m,
-                                                                                   mesh_encoding encoding) {
+                                                                                  mesh_encoding encoding) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   if (encoding == mesh_encoding::big_endian) return encode_error{"binary STL is little endian, not big endian"};
   if (m.corners.size() - 2 * m.face_count() > 0xffffffffu / 3) return encode_error{"mesh has too many triangles"};
