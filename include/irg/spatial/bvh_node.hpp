@@ -65,7 +65,7 @@ struct bvh {
 /// What rays have asked of trees so far: of all primitives times `rays`, those beyond `primitives` were skipped.
 /// exact   for the boxes as the tree holds them, which are rounded outwards. A box that a ray passes by at less than
 ///         that may count with one processor and not with another
-struct ray_counts {
+struct [[gnu::visibility("default")]] ray_counts {
   std::uint64_t rays = 0;  // also those without points
   std::uint64_t nodes = 0;  // gone through, eight boxes tested in each
   std::uint64_t leaves = 0;  // come to
@@ -74,7 +74,7 @@ struct ray_counts {
 };
 
 /// Stands for ray_counts where nobody asks for them: no code is made.
-struct uncounted_rays {};
+struct [[gnu::visibility("default")]] uncounted_rays {};
 inline constexpr uncounted_rays not_counted{};
 
 /// Where rays are counted, or not.
