@@ -7,10 +7,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/vocabulary.hpp>
+#include <irg/geometry/detail/door_numbers.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/detail/sweep_order.hpp>
 #include <irg/geometry/orient2d.hpp>
@@ -60,6 +63,15 @@ template <PlanePolygon P>
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+namespace irg::detail::inline IRG_DOORS {
+
+// The triangles of rings, one after another, of so many points each.
+// needs   finite points
+template <Floating T>
+IRG_DOOR triangulation triangulate_rings(std::vector<point<T, 2>>&& points, std::span<const std::uint32_t> sizes);
+
+}  // namespace irg::detail::inline IRG_DOORS
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -512,12 +524,11 @@ constexpr bool keeps_order(const Sweep& s, const typename Sweep::edge& l, const 
   return s.is_before(r.high, l.high) ? s.turn(l.low, l.high, r.high) <= 0 : s.turn(r.low, r.high, l.high) >= 0;
 }
 
-template <class Sweep, PlaneRing R>
-constexpr void add_sweep_ring(Sweep& s, const R& ring) {
-  const auto first = static_cast<std::uint32_t>(s.points.size()), n = static_cast<std::uint32_t>(ring_size(ring));
+// The next n points are a ring.
+template <class Sweep>
+constexpr void add_sweep_ring(Sweep& s, std::uint32_t n) {
+  const auto first = static_cast<std::uint32_t>(s.next.size());
   for (std::uint32_t i = 0; i < n; ++i) {
-    const auto p = ring_vertex(ring, i);
-    s.points.push_back({coordinate(p, 0), coordinate(p, 1)});
     s.next.push_back(first + (i + 1 < n ? i + 1 : 0));
     s.previous.push_back(first + (i > 0 ? i - 1 : n - 1));
   }
@@ -572,23 +583,13 @@ constexpr bool sweep_upwards(Sweep& s) {
   return true;
 }
 
-}  // namespace irg::detail::inline IRG_ABI
-
-namespace irg::inline IRG_ABI {
-
-template <PlanePolygon P>
-[[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon) {
-  if (!irg::is_finite(polygon)) return {triangulation_status::not_finite, {}};
+template <Scalar T>
+constexpr triangulation sweep_rings(std::vector<point<T, 2>>&& points, std::span<const std::uint32_t> sizes) {
   triangulation result;
-  detail::monotone_sweep<scalar_of<polygon_point<P>>> sweep{result.triangles};
-  bool clockwise = false, first = true;
-  detail::each_ring(polygon, [&](const auto& ring) {
-    if (first) clockwise = detail::shoelace_sign(ring) < 0;
-    first = false;
-    detail::add_sweep_ring(sweep, ring);
-    return true;
-  });
-  if (!detail::sweep_upwards(sweep)) {
+  const bool clockwise = !sizes.empty() && shoelace_sign(std::span<const point<T, 2>>(points.data(), sizes[0])) < 0;
+  monotone_sweep<T> sweep{result.triangles, std::move(points)};
+  for (const std::uint32_t n : sizes) add_sweep_ring(sweep, n);
+  if (!sweep_upwards(sweep)) {
     result.status = triangulation_status::crossing;
     result.triangles.clear();
   }
@@ -597,4 +598,40 @@ template <PlanePolygon P>
   return result;
 }
 
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <PlanePolygon P>
+[[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon) {
+  if (!irg::is_finite(polygon)) return {triangulation_status::not_finite, {}};
+  using T = scalar_of<polygon_point<P>>;
+  using N = typename detail::door_number_or<T>::type;
+  std::vector<point<N, 2>> points;
+  std::vector<std::uint32_t> sizes;
+  detail::each_ring(polygon, [&](const auto& ring) {
+    sizes.push_back(static_cast<std::uint32_t>(ring_size(ring)));
+    for (std::uint32_t i = 0; i < sizes.back(); ++i) {
+      const auto p = ring_vertex(ring, i);
+      points.push_back({converted<N>(coordinate(p, 0)), converted<N>(coordinate(p, 1))});
+    }
+    return true;
+  });
+  if constexpr (Floating<N>)
+    return detail::triangulate_rings(std::move(points), sizes);
+  else
+    return detail::sweep_rings(std::move(points), sizes);
+}
+
 }  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_DOORS {
+
+template <Floating T>
+IRG_DOOR triangulation triangulate_rings(std::vector<point<T, 2>>&& points, std::span<const std::uint32_t> sizes) {
+  return sweep_rings(std::move(points), sizes);
+}
+
+}  // namespace irg::detail::inline IRG_DOORS
+#endif

@@ -29,14 +29,19 @@ constexpr void turn_face(mesh<T>& m, std::size_t f) {
   std::reverse(first + 1, first + static_cast<std::ptrdiff_t>(m.face_size(f)));
 }
 
-/// Turns faces until those that share an edge run along it in opposite directions.
-/// shape   in each piece that edges of two faces hold together, the lowest face stays as it is; normals of corners stay
-/// gives   edges of three or more faces join nothing. solid's orient_outward() then tells in from out
-/// needs   a mesh in which validate() finds no defect
-/// exact   always
-/// cost    O(n log n); allocates
+}  // namespace IRG_ABI
+
+namespace detail::inline IRG_DOORS {
+
+template <Floating T>
+IRG_DOOR orient_status orient_mesh(mesh<T>& m);
+
+}  // namespace detail::inline IRG_DOORS
+
+namespace detail::inline IRG_ABI {
+
 template <Scalar T>
-constexpr orient_status orient_faces(mesh<T>& m) {
+constexpr orient_status turn_faces_alike(mesh<T>& m) {
   struct neighbour {
     std::uint32_t face;
     bool runs_alike;
@@ -89,5 +94,34 @@ constexpr orient_status orient_faces(mesh<T>& m) {
   return status;
 }
 
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+/// Turns faces until those that share an edge run along it in opposite directions.
+/// shape   in each piece that edges of two faces hold together, the lowest face stays as it is; normals of corners stay
+/// gives   edges of three or more faces join nothing. solid's orient_outward() then tells in from out
+/// needs   a mesh in which validate() finds no defect
+/// exact   always
+/// cost    O(n log n); allocates
+template <Scalar T>
+constexpr orient_status orient_faces(mesh<T>& m) {
+  if constexpr (Floating<T>)
+    return detail::orient_mesh(m);
+  else
+    return detail::turn_faces_alike(m);
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_DOORS {
+
+template <Floating T>
+IRG_DOOR orient_status orient_mesh(mesh<T>& m) {
+  return turn_faces_alike(m);
+}
+
+}  // namespace irg::detail::inline IRG_DOORS
+#endif
