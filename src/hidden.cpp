@@ -6,8 +6,7 @@
 
 namespace irg::detail {
 
-template checked<grid_surface_counts, grid_surface_status> send_grid_edges(const grid_surface&,
-                                                                           const point<double, 3>&,
+template checked<grid_surface_counts, grid_surface_status> send_grid_edges(const grid_surface&, const point<double, 3>&,
                                                                            const function_ref<void(grid_edge_part)>&);
 template horizon_line_counts send_curves(std::span<const point<double, 2>>, const function_ref<void(edge_part)>&,
                                          drawn_parts);
