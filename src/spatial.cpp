@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The doors of spatial: trees of triangles and boxes of floats and doubles, rays of either, counted and not.
+// The doors of spatial, for float and double, bvh with rays of either, counted and not.
+#include <irg/spatial/bsp_tree_2d.hpp>
+#include <irg/spatial/bsp_tree_3d.hpp>
 #include <irg/spatial/triangle_bvh.hpp>
 
 namespace irg {
@@ -27,5 +29,20 @@ IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)
 #undef IRG_FOR_NUMBERS
 #undef IRG_FOR_RAYS
+
+#define IRG_FOR_NUMBERS(T)                                                                                  \
+  template bsp_fault find_bsp_fault(const bsp_data_3d<T>&);                                                 \
+  template void detail::grow_bsp_2d(growing_bsp_2d<T>&, const bsp_options&);                                \
+  template segment<T, 2> detail::rounded_piece(const growing_bsp_2d<T>&, const bsp_piece_2d&) noexcept;     \
+  template void detail::add_triangles(growing_bsp_3d<T>&, std::span<const point<T, 3>>,                     \
+                                      std::span<const triangle_indices>, const bsp_options&);               \
+  template void detail::shrink_to(growing_bsp_3d<T>&, const bsp_sizes&);                                    \
+  template void detail::make_walkable(growing_bsp_3d<T>&);                                                  \
+  template std::vector<point<T, 3>> detail::rounded_ring(const growing_bsp_3d<T>&, const bsp_piece_3d&);    \
+  template int detail::exact_side(const bsp_data_3d<T>&, const bsp_plane_3d&, const point<T, 3>&) noexcept; \
+  template int detail::side_of_direction(const bsp_data_3d<T>&, const bsp_plane_3d&, const vec<T, 3>&) noexcept;
+IRG_FOR_NUMBERS(float)
+IRG_FOR_NUMBERS(double)
+#undef IRG_FOR_NUMBERS
 
 }  // namespace irg
