@@ -49,7 +49,9 @@ struct png_pixels {
   std::size_t width = 0, height = 0;
   bool has_colour = true, has_opacity = true;
 
-  IRG_INLINE constexpr std::size_t channels() const noexcept { return (has_colour ? 3u : 1u) + (has_opacity ? 1u : 0u); }
+  IRG_INLINE constexpr std::size_t channels() const noexcept {
+    return (has_colour ? 3u : 1u) + (has_opacity ? 1u : 0u);
+  }
 };
 
 }  // namespace irg::detail
@@ -134,6 +136,10 @@ namespace irg::detail::inline IRG_DOORS {
 template <class Bytes>
 IRG_DOOR Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort);
 
+/// The file of a picture.
+template <class Bytes>
+IRG_DOOR Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort);
+
 }  // namespace irg::detail::inline IRG_DOORS
 
 #if IRG_BODIES
@@ -188,6 +194,14 @@ IRG_DOOR Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compressio
   return zlib_compress(filter_rows(p, stored ? filtering::none : filtering::adaptive), effort_of(effort));
 }
 
+template <class Bytes>
+IRG_DOOR Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort) {
+  Bytes file = begin_png(p);
+  append_in_chunks(compress_rows(p, effort), [&](auto part) { append_chunk(file, "IDAT", part); });
+  append_chunk(file, "IEND", {});
+  return file;
+}
+
 }  // namespace irg::detail::inline IRG_DOORS
 #endif
 
@@ -198,12 +212,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
   const int width = width_of(raster), height = height_of(raster);
   if (const auto refused = detail::refuse_picture_size(width, height)) return *refused;
 
-  const auto pixels = detail::read_pixels(raster, width, height, options.kept);
-  auto file = detail::begin_png(pixels);
-  detail::append_in_chunks(detail::compress_rows(pixels, options.effort),
-                           [&](auto part) { detail::append_chunk(file, "IDAT", part); });
-  detail::append_chunk(file, "IEND", {});
-  return file;
+  return detail::encode_png_pixels(detail::read_pixels(raster, width, height, options.kept), options.effort);
 }
 
 }  // namespace irg::inline IRG_ABI
