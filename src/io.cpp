@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The doors of io, for float and double.
+#include <irg/io/file.hpp>
 #include <irg/io/image_file.hpp>
 #include <irg/io/mesh_file.hpp>
 
@@ -36,7 +37,10 @@ IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)
 #undef IRG_FOR_NUMBERS
 
+template result<std::string> load_bytes(const std::string&);
+template result<void> save_bytes(const std::string&, const std::string_view&);
 template bytes compress_rows(const png_pixels<bytes>&, png_options::compression);
+template bytes encode_png_pixels(const png_pixels<bytes>&, png_options::compression);
 template result<image<rgba8>> read_png_file<bytes>(std::span<const std::uint8_t>, const png_read_options&);
 template bytes encode_svg_runs(const image<rgba8>&);
 template result<image<rgb8>> read_netpbm(std::span<const char>);

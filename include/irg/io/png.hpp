@@ -136,6 +136,10 @@ namespace irg::detail::inline IRG_DOORS {
 template <class Bytes>
 IRG_DOOR Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort);
 
+/// The file of a picture.
+template <class Bytes>
+IRG_DOOR Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort);
+
 }  // namespace irg::detail::inline IRG_DOORS
 
 #if IRG_BODIES
@@ -190,6 +194,14 @@ IRG_DOOR Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compressio
   return zlib_compress(filter_rows(p, stored ? filtering::none : filtering::adaptive), effort_of(effort));
 }
 
+template <class Bytes>
+IRG_DOOR Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort) {
+  Bytes file = begin_png(p);
+  append_in_chunks(compress_rows(p, effort), [&](auto part) { append_chunk(file, "IDAT", part); });
+  append_chunk(file, "IEND", {});
+  return file;
+}
+
 }  // namespace irg::detail::inline IRG_DOORS
 #endif
 
@@ -200,12 +212,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
   const int width = width_of(raster), height = height_of(raster);
   if (const auto refused = detail::refuse_picture_size(width, height)) return *refused;
 
-  const auto pixels = detail::read_pixels(raster, width, height, options.kept);
-  auto file = detail::begin_png(pixels);
-  detail::append_in_chunks(detail::compress_rows(pixels, options.effort),
-                           [&](auto part) { detail::append_chunk(file, "IDAT", part); });
-  detail::append_chunk(file, "IEND", {});
-  return file;
+  return detail::encode_png_pixels(detail::read_pixels(raster, width, height, options.kept), options.effort);
 }
 
 }  // namespace irg::inline IRG_ABI

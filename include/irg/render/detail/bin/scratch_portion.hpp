@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <irg/render/detail/bin/triangle_finder.hpp>
+#include <irg/render/detail/bin/bin_triangles.hpp>
 
 namespace irg::detail::inline IRG_ABI {
 
