@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The doors of hidden.
+#include <irg/hidden/faces_around.hpp>
 #include <irg/hidden/grid_surface.hpp>
+#include <irg/hidden/hidden_lines.hpp>
 #include <irg/hidden/horizon_lines.hpp>
+#include <irg/hidden/line_drawing.hpp>
 #include <irg/hidden/plot_surface.hpp>
+#include <irg/hidden/visible_polygons.hpp>
 
 namespace irg::detail {
 
@@ -12,4 +16,30 @@ template horizon_line_counts send_curves(std::span<const point<double, 2>>, cons
                                          drawn_parts);
 template checked<surface_plot, grid_surface_status> plot_of(const grid_surface&, const surface_plot_options&);
 
+template void leave_out_beside_edges(line_drawing&);
+
+using faces = std::span<const screen_face>;
+
+#define IRG_FOR_SENSES(Sense)                                                                                \
+  template hidden_line_counts send_edge_parts<hidden_line_counts, Sense>(                                    \
+      const faces&, const std::span<const screen_edge>&, const function_ref<void(edge_part)>&, face_search); \
+  template visible_polygon_map map_of_window<visible_polygon_map, Sense>(const faces&, const cell_window&);
+IRG_FOR_SENSES(1)
+IRG_FOR_SENSES(-1)
+#undef IRG_FOR_SENSES
+
 }  // namespace irg::detail
+
+namespace irg {
+
+#define IRG_FOR_NUMBERS(T)                                                                                  \
+  template void add_mesh(line_drawing&, const mesh<T>&, const mat<T, 4, 4>&, const screen_mapping<T>&,      \
+                         const line_drawing_options<T>&);                                                   \
+  template void detail::send_sides(const point<T, 3>&, const mesh<T>&,                                      \
+                                   const function_ref<void(std::size_t, const std::vector<screen_face>&)>&, \
+                                   const cube_options<T>&);
+IRG_FOR_NUMBERS(float)
+IRG_FOR_NUMBERS(double)
+#undef IRG_FOR_NUMBERS
+
+}  // namespace irg
