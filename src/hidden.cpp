@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The doors of hidden.
 #include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/bsp_scene.hpp>
 #include <irg/hidden/faces_around.hpp>
 #include <irg/hidden/grid_surface.hpp>
 #include <irg/hidden/hidden_lines.hpp>
@@ -66,11 +67,17 @@ IRG_FOR_DEPTHS(nearer_is_less)
 
 namespace irg {
 
-#define IRG_FOR_NUMBERS(T)                                                                                  \
-  template void add_mesh(line_drawing&, const mesh<T>&, const mat<T, 4, 4>&, const screen_mapping<T>&,      \
-                         const line_drawing_options<T>&);                                                   \
-  template void detail::send_sides(const point<T, 3>&, const mesh<T>&,                                      \
-                                   const function_ref<void(std::size_t, const std::vector<screen_face>&)>&, \
+#define IRG_FOR_NUMBERS(T)                                                                                         \
+  template detail::pieces_on_screen detail::place_pieces<T>(const bsp_tree_3d<T>&, const point<T, 3>&,             \
+                                                            const mat<T, 4, 4>&, const screen_mapping<T>&);        \
+  template detail::pieces_on_screen detail::place_pieces<T>(const bsp_tree_3d<T>&, const vec<T, 3>&,               \
+                                                            const mat<T, 4, 4>&, const screen_mapping<T>&);        \
+  template void detail::paint_pieces(const bsp_data_3d<T>&, const detail::pieces_on_screen&, const detail::faces&, \
+                                     const cell_window&, detail::pixels&, draw_counts&);                           \
+  template void add_mesh(line_drawing&, const mesh<T>&, const mat<T, 4, 4>&, const screen_mapping<T>&,             \
+                         const line_drawing_options<T>&);                                                          \
+  template void detail::send_sides(const point<T, 3>&, const mesh<T>&,                                             \
+                                   const function_ref<void(std::size_t, const std::vector<screen_face>&)>&,        \
                                    const cube_options<T>&);
 IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)
