@@ -15,12 +15,16 @@
 #include <utility>
 #include <vector>
 
-#include <irg/hidden/detail/crowded_window.hpp>
-#include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/face_fragment.hpp>
+#include <irg/raster/image.hpp>
 #include <irg/spatial/bsp_order.hpp>
+#if IRG_BODIES
+#include <irg/hidden/detail/crowded_window.hpp>
+#include <irg/hidden/order_in_window.hpp>
+#include <irg/raster/triangle_coverage.hpp>
+#endif
 
 namespace irg {
 
@@ -51,7 +55,99 @@ struct bsp_of_faces {
   bsp_of_faces& operator=(bsp_of_faces&&) = default;
 };
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_DOORS {
+
+template <DepthOrder Order>
+IRG_DOOR bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_window& window);
+template <DepthOrder Order>
+IRG_DOOR void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree);
+template <DepthOrder Order>
+IRG_DOOR void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                             draw_counts& counts);
+
+}  // namespace detail::inline IRG_DOORS
+
+inline namespace IRG_ABI {
+
+/// The tree of the faces that a window of the picture may show.
+/// shape   faces: a container of screen_face
+/// gives   an empty tree where no face touches the window. A face is cut by the planes alone that some of its pixels
+///         lie before and some behind: none of a convex body, but where pixels on its outline belong to two faces
+///         equally near, or where rounding has bent its faces
+/// exact   sides by is_nearer at pixel centres
+/// cost    n log n where planes split little, and for convex bodies: 8 planes are tried for each node, up to 32 where
+///         all of them cut, and meet the parts that their bounds do not tell from them. Faces that go through each
+///         other make as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
+/// source  Fuchs, Kedem and Naylor 1980
+template <DepthOrder Order = nearer_is_greater, class Faces>
+[[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
+  std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+  return detail::tree_of_faces<Order>(list, window);
+}
+
+/// Calls visit(node) for all nodes of a tree in the order of their depths.
+/// cost    linear, without recursion
+template <class Visit>
+constexpr void walk_bsp(const bsp_of_faces& tree, bsp_order order, Visit&& visit) {
+  struct step {
+    std::int32_t node;
+    bool opened;
+  };
+  std::vector<step> left;
+  if (!tree.nodes.empty()) left.push_back({0, false});
+  while (!left.empty()) {
+    const step s = left.back();
+    left.pop_back();
+    const bsp_of_faces::node& n = tree.nodes[static_cast<std::size_t>(s.node)];
+    if (s.opened) {
+      visit(n);
+      continue;
+    }
+    const bool back = order == bsp_order::back_to_front;
+    const std::int32_t first = back ? n.farther : n.nearer, last = back ? n.nearer : n.farther;
+    if (last >= 0) left.push_back({last, false});
+    left.push_back({s.node, true});
+    if (first >= 0) left.push_back({first, false});
+  }
+}
+
+/// Draws the faces of a tree from back to front: into each pixel that one of them covers the number of the nearest.
+/// needs   a tree built in the same order, for a window that the ids hold
+template <DepthOrder Order = nearer_is_greater>
+constexpr void draw_bsp(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
+  static_assert(detail::has_methods<Order>,
+                "irg: define IRG_HEADER_ONLY before the first header of irg to draw faces in an order of your own");
+  detail::draw_tree<Order>(ids, tree);
+}
+template <DepthOrder Order = nearer_is_greater>
+[[deprecated("irg: draw_bsp(ids, tree)")]] constexpr void draw_bsp(const bsp_of_faces& tree,
+                                                                   image<std::uint32_t>& ids) {
+  draw_bsp<Order>(ids, tree);
+}
+
+}  // namespace IRG_ABI
+
+/// A hidden-surface method: the faces as binary space partitions, drawn from back to front. A crowded window is cut
+/// into four, since faces that cross each other make trees that grow with the square of their number.
+/// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are;
+///         counts.tested counts the parts drawn
+/// exact   as picture_face_at, in every pixel
+/// cost    build_bsp, and each pixel as often as it is covered; memory for the tree, none for depths
+/// source  Fuchs, Kedem and Naylor 1980
+template <DepthOrder Order = nearer_is_greater>
+struct bsp_painter : exact_method {
+  template <class Faces>
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
+    std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+    detail::paint_by_trees<Order>(ids, list, window, counts);
+  }
+};
+
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // The pixels of a part of a face by the corners of their convex hull. A part is what planes leave of a triangle, so
 // that its pixels are all that lie in the hull; and where one plane is nearer than another is a half of the picture, so
@@ -440,83 +536,6 @@ constexpr void hang_unseen(bsp_face_state<Order>& s) {
         maximum(s.tree.counts.depth, depth + static_cast<std::int64_t>(std::bit_width(s.unseen.size())) - 1);
 }
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
-/// The tree of the faces that a window of the picture may show.
-/// shape   faces: a container of screen_face
-/// gives   an empty tree where no face touches the window. A face is cut by the planes alone that some of its pixels
-///         lie before and some behind: none of a convex body, but where pixels on its outline belong to two faces
-///         equally near, or where rounding has bent its faces
-/// exact   sides by is_nearer at pixel centres
-/// cost    n log n where planes split little, and for convex bodies: 8 planes are tried for each node, up to 32 where
-///         all of them cut, and meet the parts that their bounds do not tell from them. Faces that go through each
-///         other make as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
-/// source  Fuchs, Kedem and Naylor 1980
-template <DepthOrder Order = nearer_is_greater, class Faces>
-[[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
-  bsp_of_faces tree;
-  tree.faces = detail::copied_faces<Order>(faces, window);
-  tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
-  detail::bsp_face_state<Order> s{tree, detail::stretch_of(tree.faces, window)};
-  for (detail::open_root(s, window); !s.left.empty();) {
-    const detail::bsp_task task = s.left.back();
-    s.left.pop_back();
-    detail::part_by_plane(s, task);
-  }
-  detail::hang_unseen(s);
-  tree.counts.pieces = static_cast<std::int64_t>(tree.nodes.size());
-  return tree;
-}
-
-/// Calls visit(node) for all nodes of a tree in the order of their depths.
-/// cost    linear, without recursion
-template <class Visit>
-constexpr void walk_bsp(const bsp_of_faces& tree, bsp_order order, Visit&& visit) {
-  struct step {
-    std::int32_t node;
-    bool opened;
-  };
-  std::vector<step> left;
-  if (!tree.nodes.empty()) left.push_back({0, false});
-  while (!left.empty()) {
-    const step s = left.back();
-    left.pop_back();
-    const bsp_of_faces::node& n = tree.nodes[static_cast<std::size_t>(s.node)];
-    if (s.opened) {
-      visit(n);
-      continue;
-    }
-    const bool back = order == bsp_order::back_to_front;
-    const std::int32_t first = back ? n.farther : n.nearer, last = back ? n.nearer : n.farther;
-    if (last >= 0) left.push_back({last, false});
-    left.push_back({s.node, true});
-    if (first >= 0) left.push_back({first, false});
-  }
-}
-
-/// Draws the faces of a tree from back to front: into each pixel that one of them covers the number of the nearest.
-/// needs   a tree built in the same order, for a window that the ids hold
-template <DepthOrder Order = nearer_is_greater>
-constexpr void draw_bsp(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
-  walk_bsp(tree, bsp_order::back_to_front, [&](const bsp_of_faces::node& n) {
-    covered_spans(n.part.face->coverage, n.box, [&](const span_of_cells& s) {
-      for (int x = s.x_first; x < s.x_last; ++x)
-        if (n.part.limits.empty() || covers<Order>(n.part, x, s.y)) ids(x, s.y) = n.part.face->number;
-    });
-  });
-}
-template <DepthOrder Order = nearer_is_greater>
-[[deprecated("irg: draw_bsp(ids, tree)")]] constexpr void draw_bsp(const bsp_of_faces& tree,
-                                                                   image<std::uint32_t>& ids) {
-  draw_bsp<Order>(ids, tree);
-}
-
-}  // namespace IRG_ABI
-
-namespace detail::inline IRG_ABI {
-
 // Faces by their places.
 struct pointed_faces {
   const std::vector<window_face>& list;
@@ -543,26 +562,46 @@ constexpr void draw_by_trees(const std::vector<window_face>& list, const cell_wi
   }
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-/// A hidden-surface method: the faces as binary space partitions, drawn from back to front. A crowded window is cut
-/// into four, since faces that cross each other make trees that grow with the square of their number.
-/// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are;
-///         counts.tested counts the parts drawn
-/// exact   as picture_face_at, in every pixel
-/// cost    build_bsp, and each pixel as often as it is covered; memory for the tree, none for depths
-/// source  Fuchs, Kedem and Naylor 1980
-template <DepthOrder Order = nearer_is_greater>
-struct bsp_painter : exact_method {
-  template <class Faces>
-  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                                      draw_counts& counts) const {
-    const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-    std::vector<detail::window_face> all;
-    all.reserve(list.size());
-    for (const screen_face& f : list) all.push_back(detail::window_face_of<Order>(f));
-    detail::draw_by_trees<Order>(all, window, ids, counts);
+namespace irg::detail::inline IRG_DOORS {
+
+template <DepthOrder Order>
+IRG_DOOR bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_window& window) {
+  leave_out_repeated<Order>(list);
+  bsp_of_faces tree;
+  tree.faces = std::move(list);
+  tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
+  bsp_face_state<Order> s{tree, stretch_of(tree.faces, window)};
+  for (open_root(s, window); !s.left.empty();) {
+    const bsp_task task = s.left.back();
+    s.left.pop_back();
+    part_by_plane(s, task);
   }
-};
+  hang_unseen(s);
+  tree.counts.pieces = static_cast<std::int64_t>(tree.nodes.size());
+  return tree;
+}
 
-}  // namespace irg
+template <DepthOrder Order>
+IRG_DOOR void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
+  walk_bsp(tree, bsp_order::back_to_front, [&](const bsp_of_faces::node& n) {
+    covered_spans(n.part.face->coverage, n.box, [&](const span_of_cells& s) {
+      for (int x = s.x_first; x < s.x_last; ++x)
+        if (n.part.limits.empty() || covers<Order>(n.part, x, s.y)) ids(x, s.y) = n.part.face->number;
+    });
+  });
+}
+
+template <DepthOrder Order>
+IRG_DOOR void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                             draw_counts& counts) {
+  leave_out_repeated<Order>(list);
+  std::vector<window_face> all;
+  all.reserve(list.size());
+  for (const screen_face& f : list) all.push_back(window_face_of<Order>(f));
+  draw_by_trees<Order>(all, window, ids, counts);
+}
+
+}  // namespace irg::detail::inline IRG_DOORS
+#endif
