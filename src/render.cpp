@@ -7,7 +7,6 @@
 #include <irg/render/pick.hpp>
 #include <irg/render/render.hpp>
 #include <irg/render/render_rooms.hpp>
-#include <irg/render/render_traced.hpp>
 #include <irg/render/shade_visible.hpp>
 #include <irg/render/visibility_buffer.hpp>
 
@@ -40,8 +39,6 @@ using numbers = std::vector<std::uint32_t>;
   template render_counts render_by(const window_method<T>&, const scene<T>&, render_options, const views&);       \
   template render_counts render_prepared(prepared_scene<T>&, const render_options&, const views&);                \
   template render_counts render_building(prepared_rooms<T>&, const render_options&, const views&);                \
-  template render_counts trace_picture(const scene<T>&, image_view<rgba8>&, const traced_options<T>&,             \
-                                       const executor_ref&);                                                      \
   template numbers choose_occluders(const occlusion_view<T>&, std::span<const object_extent<T>>);                 \
   template void add_occluder(occlusion_view<T>&, std::span<const point<T, 3>>, std::span<const triangle_indices>, \
                              face_culling);                                                                       \

@@ -10,11 +10,11 @@
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/line_bresenham.hpp>
 #include <irg/raster/projected_vertices.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 #if IRG_BODIES
 #include <algorithm>
 
 #include <irg/geometry/clip_homogeneous.hpp>
-#include <irg/raster/triangle_coverage.hpp>
 #endif
 
 namespace irg {
@@ -66,6 +66,32 @@ struct line_on_screen {
   cell from{}, to{};
 };
 
+inline namespace IRG_ABI {
+
+// Whether a face shows its back, by the sign of its area on the screen; faces that reach behind the eye or beyond the
+// guard band are taken to show their front, and so are those of which a vertex is not there.
+template <class T>
+constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std::size_t f) noexcept {
+  std::int64_t area = 0;
+  const std::size_t n = m.face_size(f);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t corner = m.corner(f, k).position;
+    if (corner >= v.codes.size() || v.codes[corner].cut != 0) return false;
+  }
+  const subpixel origin = v.screen[m.corner(f, 0).position].position;
+  for (std::size_t k = 1; k + 1 < n; ++k)
+    area += twice_signed_area(origin, v.screen[m.corner(f, k).position].position,
+                              v.screen[m.corner(f, k + 1).position].position);
+  return area >= 0;
+}
+
+// An edge between two vertices as one number, the smaller index first: the same for both faces that share it.
+IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noexcept {
+  return std::uint64_t{minimum(p, q)} << 32 | maximum(p, q);
+}
+
+}  // namespace IRG_ABI
+
 inline namespace IRG_DOORS {
 
 // The lines of a mesh's edges in a picture of this size, each once; what is passed over is counted.
@@ -107,28 +133,6 @@ inline namespace IRG_ABI {
 
 // The pixel that holds a snapped position.
 IRG_INLINE constexpr cell cell_of(const subpixel& p) noexcept { return {p.x >> subpixel_bits, p.y >> subpixel_bits}; }
-
-// Whether a face shows its back, by the sign of its area on the screen; faces that reach behind the eye or beyond the
-// guard band are taken to show their front, and so are those of which a vertex is not there.
-template <class T>
-constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std::size_t f) noexcept {
-  std::int64_t area = 0;
-  const std::size_t n = m.face_size(f);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::uint32_t corner = m.corner(f, k).position;
-    if (corner >= v.codes.size() || v.codes[corner].cut != 0) return false;
-  }
-  const subpixel origin = v.screen[m.corner(f, 0).position].position;
-  for (std::size_t k = 1; k + 1 < n; ++k)
-    area += twice_signed_area(origin, v.screen[m.corner(f, k).position].position,
-                              v.screen[m.corner(f, k + 1).position].position);
-  return area >= 0;
-}
-
-// An edge between two vertices as one number, the smaller index first: the same for both faces that share it.
-IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noexcept {
-  return std::uint64_t{minimum(p, q)} << 32 | maximum(p, q);
-}
 
 // The line of an edge; not seen when it is out of sight, or a vertex is not there.
 template <class T>
