@@ -65,7 +65,7 @@ constexpr orient_status turn_faces_alike(mesh<T>& m) {
   neighbours.assign(start.back(), neighbour{});
   each_pair([&](std::uint32_t a, std::uint32_t b, bool alike) { neighbours[start[a]++] = {b, alike}; });
 
-  enum : std::uint8_t { unseen, kept, turned };
+  enum : std::uint8_t { unseen, kept, reversed };
   std::vector<std::uint8_t> state(m.face_count(), unseen);
   std::vector<std::uint32_t> piece;
   orient_status status = orient_status::ok;
@@ -77,19 +77,19 @@ constexpr orient_status turn_faces_alike(mesh<T>& m) {
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const std::uint32_t at = piece[i];
       for (std::size_t k = at == 0 ? 0 : start[at - 1]; k < start[at]; ++k) {  // start tells the ends now
-        const bool turn = (state[at] == turned) != neighbours[k].runs_alike;
+        const bool turn = (state[at] == reversed) != neighbours[k].runs_alike;
         const std::uint32_t beside = neighbours[k].face;
         if (state[beside] == unseen) {
-          state[beside] = turn ? turned : kept;
+          state[beside] = turn ? reversed : kept;
           piece.push_back(beside);
-        } else if (state[beside] != (turn ? turned : kept)) {
+        } else if (state[beside] != (turn ? reversed : kept)) {
           two_sided = false;
         }
       }
     }
     if (!two_sided) status = orient_status::one_sided;
     for (const std::uint32_t at : piece)
-      if (two_sided && state[at] == turned) turn_face(m, at);
+      if (two_sided && state[at] == reversed) turn_face(m, at);
   }
   return status;
 }

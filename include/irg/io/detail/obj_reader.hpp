@@ -14,6 +14,7 @@
 
 #include <irg/core/result.hpp>
 #include <irg/io/detail/obj_content.hpp>
+#include <irg/io/mesh_options.hpp>
 #include <irg/math/decimal_digit.hpp>
 
 namespace irg::detail::inline IRG_ABI {
