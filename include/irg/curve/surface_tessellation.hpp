@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/core/is_finite.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/flatten.hpp>
@@ -94,6 +95,29 @@ constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& pat
 }  // namespace irg
 
 namespace irg::detail {
+
+// Programs without the library go by no door here: a sink is part of the innermost loop.
+template <class P>
+inline constexpr bool is_door_point = false;
+template <Floating T>
+inline constexpr bool is_door_point<point<T, 3>> = true;
+template <Floating T>
+inline constexpr bool is_door_point<hpoint<T, 3>> = true;
+
+// What surfaces' doors take control points as.
+template <class P>
+concept DoorControlPoint = is_door_point<P>;
+
+template <DoorControlPoint P>
+using triangle_sink = function_ref<void(const surface_corner<P>&, const surface_corner<P>&, const surface_corner<P>&)>;
+
+inline namespace IRG_DOORS {
+
+template <DoorControlPoint P>
+IRG_DOOR surface_tessellation send_surface(const control_net<P>& net, scalar_of<P> tolerance,
+                                           const triangle_sink<P>& sink);
+
+}  // namespace IRG_DOORS
 
 // How far a Bezier surface can be from triangles with corners on it, by the second differences of its
 // control points.
@@ -519,6 +543,13 @@ private:
   surface_tessellation done_{};
 };
 
+template <CurvePoint P, class Sink>
+constexpr surface_tessellation tessellate_net(const control_net<P>& net, scalar_of<P> tolerance, Sink& sink) {
+  if (!has_finite_bends(net)) return {0, 0, false};
+  if (net.rows() < 2 || net.columns < 2) return {};
+  return framed_patch<P, Sink>(net, tolerance, sink).run();
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
@@ -538,9 +569,12 @@ template <CurvePoint P, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr surface_tessellation tessellate_within(const control_net<P>& net,
                                                  std::type_identity_t<scalar_of<P>> tolerance, Sink&& sink) {
-  if (!detail::has_finite_bends(net)) return {0, 0, false};
-  if (net.rows() < 2 || net.columns < 2) return {};
-  return detail::framed_patch<P, std::remove_reference_t<Sink>>(net, tolerance, sink).run();
+  if constexpr (!IRG_BODIES && detail::DoorControlPoint<P>)
+    return detail::send_surface(
+        net, tolerance,
+        as_function<void(const surface_corner<P>&, const surface_corner<P>&, const surface_corner<P>&)>(sink));
+  else
+    return detail::tessellate_net(net, tolerance, sink);
 }
 
 template <CurvePoint P, int U, int V, class Sink>
@@ -587,3 +621,15 @@ constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& pat
 }
 
 }  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_DOORS {
+
+template <DoorControlPoint P>
+IRG_DOOR surface_tessellation send_surface(const control_net<P>& net, scalar_of<P> tolerance,
+                                           const triangle_sink<P>& sink) {
+  return tessellate_net(net, tolerance, sink);
+}
+
+}  // namespace irg::detail::inline IRG_DOORS
+#endif

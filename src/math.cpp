@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The doors of math, for float and double.
+#include <irg/math/decimal.hpp>
+
+namespace irg {
+
+#define IRG_FOR_NUMBERS(T)                                                     \
+  template decimal_result<T> parse_decimal(const char*, const char*) noexcept; \
+  template std::optional<char*> print_decimal(char*, char*, T) noexcept;       \
+  template T detail::unsigned_value(const detail::decimal_text&) noexcept;
+IRG_FOR_NUMBERS(float)
+IRG_FOR_NUMBERS(double)
+#undef IRG_FOR_NUMBERS
+
+}  // namespace irg
