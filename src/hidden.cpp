@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The doors of hidden.
+#include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/bsp_faces.hpp>
 #include <irg/hidden/bsp_scene.hpp>
 #include <irg/hidden/faces_around.hpp>
@@ -12,6 +13,7 @@
 #include <irg/hidden/painter_once.hpp>
 #include <irg/hidden/plot_surface.hpp>
 #include <irg/hidden/ray_casting.hpp>
+#include <irg/hidden/textbook/depth_sort.hpp>
 #include <irg/hidden/visible_polygons.hpp>
 #include <irg/hidden/warnock.hpp>
 
@@ -67,18 +69,22 @@ IRG_FOR_DEPTHS(nearer_is_less)
 
 namespace irg {
 
-#define IRG_FOR_NUMBERS(T)                                                                                         \
-  template detail::pieces_on_screen detail::place_pieces<T>(const bsp_tree_3d<T>&, const point<T, 3>&,             \
-                                                            const mat<T, 4, 4>&, const screen_mapping<T>&);        \
-  template detail::pieces_on_screen detail::place_pieces<T>(const bsp_tree_3d<T>&, const vec<T, 3>&,               \
-                                                            const mat<T, 4, 4>&, const screen_mapping<T>&);        \
-  template void detail::paint_pieces(const bsp_data_3d<T>&, const detail::pieces_on_screen&, const detail::faces&, \
-                                     const cell_window&, detail::pixels&, draw_counts&);                           \
-  template void add_mesh(line_drawing&, const mesh<T>&, const mat<T, 4, 4>&, const screen_mapping<T>&,             \
-                         const line_drawing_options<T>&);                                                          \
-  template void detail::send_sides(const point<T, 3>&, const mesh<T>&,                                             \
-                                   const function_ref<void(std::size_t, const std::vector<screen_face>&)>&,        \
-                                   const cube_options<T>&);
+#define IRG_FOR_NUMBERS(T)                                                                                             \
+  template detail::pieces_on_screen detail::place_pieces<T>(const bsp_tree_3d<T>&, const point<T, 3>&,                 \
+                                                            const mat<T, 4, 4>&, const screen_mapping<T>&);            \
+  template detail::pieces_on_screen detail::place_pieces<T>(const bsp_tree_3d<T>&, const vec<T, 3>&,                   \
+                                                            const mat<T, 4, 4>&, const screen_mapping<T>&);            \
+  template void detail::paint_pieces(const bsp_data_3d<T>&, const detail::pieces_on_screen&, const detail::faces&,     \
+                                     const cell_window&, detail::pixels&, draw_counts&);                               \
+  template void add_mesh(line_drawing&, const mesh<T>&, const mat<T, 4, 4>&, const screen_mapping<T>&,                 \
+                         const line_drawing_options<T>&);                                                              \
+  template void detail::send_sides(const point<T, 3>&, const mesh<T>&,                                                 \
+                                   const function_ref<void(std::size_t, const std::vector<screen_face>&)>&,            \
+                                   const cube_options<T>&);                                                            \
+  template facing detail::facing_in_mesh(const mesh<T>&, std::size_t, const hpoint<T, 3>&) noexcept;                   \
+  template std::vector<std::uint32_t> detail::front_faces_of_mesh(const mesh<T>&, const hpoint<T, 3>&, edge_on_faces); \
+  template std::vector<textbook::depth_sorted_polygon<T>> detail::sorted_by_tests(                                     \
+      const std::vector<std::vector<point<T, 3>>>&, const detail::told_steps&);
 IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)
 #undef IRG_FOR_NUMBERS

@@ -2,13 +2,20 @@
 // The doors of visibility, for float and double.
 #include <irg/visibility/cell_plan.hpp>
 #include <irg/visibility/cells_from_bsp.hpp>
+#include <irg/visibility/cut_source.hpp>
+#include <irg/visibility/field_of_view.hpp>
 #include <irg/visibility/guard_cover.hpp>
 #include <irg/visibility/potentially_visible.hpp>
 #include <irg/visibility/prepared_walls.hpp>
+#include <irg/visibility/sight_in_space.hpp>
+#include <irg/visibility/sight_line.hpp>
+#include <irg/visibility/sight_tracker.hpp>
 #include <irg/visibility/space_plan.hpp>
 #include <irg/visibility/space_portals.hpp>
 #include <irg/visibility/view_through_portals.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
+#include <irg/visibility/visible_part.hpp>
+#include <irg/visibility/visible_points.hpp>
 #include <irg/visibility/weak_visibility.hpp>
 
 namespace irg {
@@ -34,6 +41,24 @@ IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)
 #undef IRG_FOR_NUMBERS
 
+// Single lines, cut sources, and space.
+#define IRG_FOR_NUMBERS(T)                                                                                          \
+  template std::optional<std::size_t> first_obstacle<T>(                                                            \
+      const point<T, 2>&, const point<T, 2>&, std::span<const segment<T, 2>>, obstacle_ends, sight_reach) noexcept; \
+  template bool has_line_of_sight<T>(const point<T, 2>&, const point<T, 2>&, std::span<const segment<T, 2>>,        \
+                                     obstacle_ends) noexcept;                                                       \
+  template cut_source<T> cut_source_rounded<T>(std::span<const point<T, 2>>, std::span<const segment<T, 2>>);       \
+  template cut_segment<T> cut_segment_rounded<T>(const segment<T, 2>&, std::span<const segment<T, 2>>);             \
+  template std::vector<std::uint8_t> visible_points<T>(std::span<const point<T, 2>>, const point<T, 2>&);           \
+  template bool has_line_of_sight(const point<T, 3>&, const point<T, 3>&, const mesh<T>&) noexcept;                 \
+  template std::optional<seen_share> sure_sight(const space_region<T>&, const space_region<T>&, const mesh<T>&);    \
+  template sampled_sight sample_sight(const space_region<T>&, const space_region<T>&, const mesh<T>&,               \
+                                      const sight_sampling_options&);                                               \
+  template std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>&, const mesh<T>&);
+IRG_FOR_NUMBERS(float)
+IRG_FOR_NUMBERS(double)
+#undef IRG_FOR_NUMBERS
+
 // Cells and portals.
 #define IRG_FOR_NUMBERS(T)                                                                                          \
   template plan_finding validate(const cell_plan<T>&);                                                              \
@@ -54,4 +79,13 @@ IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)
 #undef IRG_FOR_NUMBERS
 
+// Grids.
+namespace detail {
+
+template void add_seen(const walled_grid&, const cell3&, cell_grid&, view_memory&, const view_options&);
+template void add_seen(const walled_grid&, const cell3&, cell_grid&, counted_view_memory&, const view_options&);
+template void mark_light(const walled_grid&, const cell3&, const view_options&, view_memory&, cell_grid&);
+template std::vector<double> percentages_lit(const walled_grid&, cell);
+
+}  // namespace detail
 }  // namespace irg
