@@ -42,9 +42,6 @@ struct mesh_face_ring {
   }
 };
 
-template <class M>
-inline constexpr bool is_own_mesh = std::same_as<M, mesh<scalar_of<mesh_point<M>>>>;
-
 inline namespace IRG_DOORS {
 
 template <Floating T>
@@ -108,7 +105,7 @@ template <PlaneRing R>
 template <SpaceMesh M>
 [[nodiscard]] constexpr facing facing_of(const M& m, std::size_t f,
                                          const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
-  if constexpr (detail::is_own_mesh<M>)
+  if constexpr (std::same_as<M, mesh<scalar_of<mesh_point<M>>>>)
     return detail::facing_in_mesh(m, f, eye);
   else
     return static_cast<facing>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
@@ -121,7 +118,7 @@ template <SpaceMesh M>
 [[nodiscard]] constexpr std::vector<std::uint32_t> front_faces(const M& m,
                                                                const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
                                                                edge_on_faces edge_on = edge_on_faces::hidden) {
-  if constexpr (detail::is_own_mesh<M>) {
+  if constexpr (std::same_as<M, mesh<scalar_of<mesh_point<M>>>>) {
     return detail::front_faces_of_mesh(m, eye, edge_on);
   } else {
     std::vector<std::uint32_t> left;

@@ -3,6 +3,7 @@
 // what a body looks like is told by their role.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -94,7 +95,10 @@ inline namespace IRG_ABI {
 ///         edges, and only a face that covers it can hide it. Where add_mesh has left out the edges beyond the picture,
 ///         these are most faces beyond it
 /// cost    linear
-inline IRG_DOOR void leave_out_faces_beside_edges(line_drawing& drawing) { detail::leave_out_beside_edges(drawing); }
+template <std::same_as<line_drawing> Drawing>
+constexpr void leave_out_faces_beside_edges(Drawing& drawing) {
+  detail::leave_out_beside_edges(drawing);
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg

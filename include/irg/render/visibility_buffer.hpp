@@ -22,6 +22,25 @@
 
 namespace irg {
 
+inline namespace IRG_ABI {
+
+/// Draws the numbers of visible triangles (first_number of their batch, and their place in it) and their depths.
+/// shape   drawn into {ids, depth}; first_number of the batches counts their triangles through
+/// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
+/// gives   no_index where nothing is seen, if cleared first, else what was there; of equally near triangles the
+///         first; triangles with a corner that is not finite are left out, and those that name a vertex that is not
+///         there
+/// exact   the depths and triangles of shade_batches, the same bytes for every executor and all skips on and off
+/// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
+/// source  Burns and Hunt 2013
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image_view<std::uint32_t>,
+          RowRaster Depth = image_view<float>, Executor E = sequential>
+  requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
+constexpr render_counts draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
+                                        const draw_depth_options& settings = {}, const E& executor = {});
+
+}  // namespace IRG_ABI
+
 namespace detail::inline IRG_ABI {
 
 // Stores the source triangles of what tiles show; where nothing was drawn, the raster keeps what it has.
@@ -52,20 +71,10 @@ struct number_tiles final : tile_finish<T> {
 
 inline namespace IRG_ABI {
 
-/// Draws the numbers of visible triangles (first_number of their batch, and their place in it) and their depths.
-/// shape   drawn into {ids, depth}; first_number of the batches counts their triangles through
-/// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
-/// gives   no_index where nothing is seen, if cleared first, else what was there; of equally near triangles the
-///         first; triangles with a corner that is not finite are left out, and those that name a vertex that is not
-///         there
-/// exact   the depths and triangles of shade_batches, the same bytes for every executor and all skips on and off
-/// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
-/// source  Burns and Hunt 2013
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image_view<std::uint32_t>,
-          RowRaster Depth = image_view<float>, Executor E = sequential>
+template <DepthOrder Order, Floating T, RowRaster Ids, RowRaster Depth, Executor E>
   requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
-                                        const draw_depth_options& settings = {}, const E& executor = {}) {
+                                        const draw_depth_options& settings, const E& executor) {
   draw_workspace own;
   const detail::tile_job<T> job = detail::job_of(triangles, settings, own);
   return detail::on_rows(target.colour, [&]<class Rows>(Rows& ids) {
