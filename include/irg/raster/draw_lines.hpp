@@ -351,8 +351,9 @@ void draw_lines_by_piece(R& raster, const Lines& lines, const cell_window& windo
 
 // needs   a window that is not empty
 template <WritableRaster R, class Lines, class Paint>
-constexpr void draw_lines_in(R& raster, const Lines& lines, const cell_window& visible, const Paint& paint,
-                             const line_options& options, line_batch& memory) {
+constexpr void draw_lines_in(R& raster, const Lines& lines, const Paint& paint, const line_options& options,
+                             line_batch& memory) {
+  const cell_window visible = window_of(raster);
   if constexpr (EvenRowRaster<R> && !BlendFunction<Paint, R>) {
     if (!std::is_constant_evaluated()) {
       const auto value = static_cast<pixel_of<R>>(paint);
@@ -368,8 +369,8 @@ constexpr void draw_lines_in(R& raster, const Lines& lines, const cell_window& v
     draw_line(raster, lines[i].from, lines[i].to, paint, options);
 }
 template <WritableRaster R, class Lines>
-constexpr void draw_painted_in(R& raster, const Lines& lines, const cell_window& visible, const line_options& options,
-                               line_batch& memory) {
+constexpr void draw_painted_in(R& raster, const Lines& lines, const line_options& options, line_batch& memory) {
+  const cell_window visible = window_of(raster);
   using paint_type = std::remove_cvref_t<decltype(lines[std::size_t{}].paint)>;
   if constexpr (EvenRowRaster<R> && !BlendFunction<paint_type, R>) {
     if (!std::is_constant_evaluated() &&
@@ -395,7 +396,7 @@ constexpr void draw_lines(R& raster, const Lines& lines, const Paint& paint, con
                 std::convertible_to<const Lines&, std::span<const cell_line>>)
     detail::draw_line_batch(view_of(raster), visible, lines, static_cast<pixel_of<R>>(paint), options, memory);
   else
-    detail::draw_lines_in(raster, lines, visible, paint, options, memory);
+    detail::draw_lines_in(raster, lines, paint, options, memory);
 }
 
 template <WritableRaster R, PaintedLineSequence<R> Lines, class Memory>
@@ -407,7 +408,7 @@ constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_opti
                 std::convertible_to<const Lines&, std::span<const painted_line<pixel_of<R>>>>)
     detail::draw_painted_batch<pixel_of<R>>(view_of(raster), visible, lines, options, memory);
   else
-    detail::draw_painted_in(raster, lines, visible, options, memory);
+    detail::draw_painted_in(raster, lines, options, memory);
 }
 
 }  // namespace IRG_ABI
@@ -421,7 +422,7 @@ IRG_DOOR void draw_line_batch(const image_view<P>& raster, const cell_window& w,
                               const P& value, const line_options& options, line_batch& memory) {
   image_view<P> view = raster;
   const auto target = within(view, w);
-  draw_lines_in(target, lines, w, value, options, memory);
+  draw_lines_in(target, lines, value, options, memory);
 }
 template <DoorPixel P>
 IRG_DOOR void draw_painted_batch(const image_view<P>& raster, const cell_window& w,
@@ -429,7 +430,7 @@ IRG_DOOR void draw_painted_batch(const image_view<P>& raster, const cell_window&
                                  line_batch& memory) {
   image_view<P> view = raster;
   const auto target = within(view, w);
-  draw_painted_in(target, lines, w, options, memory);
+  draw_painted_in(target, lines, options, memory);
 }
 
 }  // namespace irg::detail::inline IRG_DOORS
