@@ -4,6 +4,7 @@
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/geometry/intersect_planes.hpp>
 #include <irg/geometry/intersect_segments.hpp>
+#include <irg/geometry/side_of_meeting.hpp>
 #include <irg/geometry/smallest_sphere.hpp>
 #include <irg/geometry/sphere.hpp>
 
@@ -46,3 +47,14 @@ IRG_FOR_NUMBERS(double)
 #undef IRG_FOR_DIMENSIONS
 
 }  // namespace irg::detail
+
+namespace irg {
+
+#define IRG_FOR_NUMBERS(T)                                                                                             \
+  template std::optional<side> side_of_meeting(const plane_points<T>&, const plane_points<T>&, const plane_points<T>&, \
+                                               const plane_points<T>&) noexcept;
+IRG_FOR_NUMBERS(float)
+IRG_FOR_NUMBERS(double)
+#undef IRG_FOR_NUMBERS
+
+}  // namespace irg

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The doors of raster: into pixels of four 8-bit channels, or a sink.
+#include <irg/raster/draw_lines.hpp>
 #include <irg/raster/draw_text.hpp>
 #include <irg/raster/fill_convex_aa.hpp>
 #include <irg/raster/fill_polygon.hpp>
@@ -35,13 +36,17 @@ IRG_FOR_VERTICES(float_point)
 IRG_FOR_VERTICES(double_point)
 #undef IRG_FOR_VERTICES
 
-#define IRG_FOR_PIXELS(P)                                                                                    \
-  template void mix_area_sweep(const image_view<P>&, area_memory&, fill_rule, const cell_window&, const P&); \
-  template void mix_line_areas(const image_view<P>&, const subpixel&, const subpixel&, const P&,             \
-                               const line_aa_options&, const cell_window&);                                  \
-  template void paint_edge_scan(edges_of<std::int32_t>&, std::vector<int>&, fill_rule, const cell_window&,   \
-                                const image_view<P>&, const P&);                                             \
-  template void paint_edge_scan(edges_of<std::int64_t>&, std::vector<int>&, fill_rule, const cell_window&,   \
+#define IRG_FOR_PIXELS(P)                                                                                       \
+  template void draw_line_batch(const image_view<P>&, const cell_window&, std::span<const cell_line>, const P&, \
+                                const line_options&, line_batch&);                                              \
+  template void draw_painted_batch(const image_view<P>&, const cell_window&, std::span<const painted_line<P>>,  \
+                                   const line_options&, line_batch&);                                           \
+  template void mix_area_sweep(const image_view<P>&, area_memory&, fill_rule, const cell_window&, const P&);    \
+  template void mix_line_areas(const image_view<P>&, const subpixel&, const subpixel&, const P&,                \
+                               const line_aa_options&, const cell_window&);                                     \
+  template void paint_edge_scan(edges_of<std::int32_t>&, std::vector<int>&, fill_rule, const cell_window&,      \
+                                const image_view<P>&, const P&);                                                \
+  template void paint_edge_scan(edges_of<std::int64_t>&, std::vector<int>&, fill_rule, const cell_window&,      \
                                 const image_view<P>&, const P&);
 IRG_FOR_PIXELS(rgba8)
 IRG_FOR_PIXELS(bgra8)

@@ -11,6 +11,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/is_finite.hpp>
+#include <irg/curve/detail/surface_bends.hpp>
 #include <irg/curve/surface_tessellation.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/triangulate_monotone.hpp>

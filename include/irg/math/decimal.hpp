@@ -143,7 +143,7 @@ constexpr std::optional<char*> print_integer(char* first, char* last, J value) n
 
 /// The same of a text in one piece.
 template <class T>
-  requires requires(const char* p) { parse_decimal<T>(p, p); }
+  requires requires(const char* p) { irg::parse_decimal<T>(p, p); }
 [[nodiscard]] constexpr decimal_result<T> parse_decimal(std::string_view text) noexcept {
   return irg::parse_decimal<T>(text.data(), text.data() + text.size());
 }
@@ -151,7 +151,7 @@ template <class T>
 /// The text that print_decimal writes to the head of `room`.
 /// gives   an empty text, and nothing written, when there is not enough room
 template <class T>
-  requires requires(char* p, T value) { print_decimal(p, p, value); }
+  requires requires(char* p, T value) { irg::print_decimal(p, p, value); }
 constexpr std::string_view print_decimal(std::span<char> room, T value) noexcept {
   char* const first = room.data();
   const std::optional<char*> last = irg::print_decimal(first, first + room.size(), value);

@@ -3,6 +3,8 @@
 // edges that are not creases; the corners of a group share one normal.
 #pragma once
 
+#include <irg/math/angle_between.hpp>
+#include <irg/math/trigonometry.hpp>  // radians()
 #include <irg/mesh/mesh.hpp>
 #include <irg/mesh/normals.hpp>
 #if IRG_BODIES
@@ -11,7 +13,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/math/angle_between.hpp>
 #include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/edge_ends.hpp>
 #endif

@@ -9,13 +9,13 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/ring.hpp>
+#include <irg/math/constants.hpp>
 #include <irg/math/length.hpp>
 #include <irg/mesh/half_edge_mesh.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/mesh/to_half_edges.hpp>
 #include <irg/mesh/teapot.hpp>
 #if IRG_BODIES
-#include <irg/math/constants.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/mesh/detail/rings.hpp>
 #endif

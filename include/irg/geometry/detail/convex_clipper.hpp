@@ -142,29 +142,32 @@ constexpr int side_about(const Corner& c, const half_space<T, D>& boundary) noex
   const double bound = product(size, 0x1p-50) + product(reach, 1.5 * c.error);
   return value > bound ? 1 : -value > bound ? -1 : 0;
 }
-// The same exactly: the sign of the boundary's value where these meet.
-template <Floating T, int D, Point P>
-constexpr int exact_side(const line_meeting&, const half_space<T, D>& boundary, const half_space<T, D>& h,
-                         const P& from, const P& to) noexcept {
-  return side_of_line_meeting(boundary, h, as_point<T>(from), as_point<T>(to));
+// As the doors take it.
+template <class T, int D>
+IRG_INLINE constexpr const half_space<T, D>& at_door(const half_space<T, D>& h) noexcept {
+  return h;  // NOLINT(bugprone-return-const-ref-from-parameter)
 }
-template <Floating T, Point P>
-constexpr int exact_side(const plane_meeting&, const half_space<T, 3>& boundary, const half_space<T, 3>& g,
-                         const half_space<T, 3>& h, const P& p, const P& q, const P& r) noexcept {
-  return side_of_plane_meeting(boundary, g, h, as_point<T>(p), as_point<T>(q), as_point<T>(r));
+template <Point P>
+IRG_INLINE constexpr auto at_door(const P& p) noexcept {
+  return as_point<scalar_of<P>>(p);
+}
+
+// The same exactly: the sign of the boundary's value where these meet.
+template <class Meeting, Floating T, int D, class... In>
+constexpr int exact_side(const Meeting&, const half_space<T, D>& boundary, const In&... in) noexcept {
+  if constexpr (std::is_same_v<Meeting, line_meeting>)
+    return side_of_line_meeting(boundary, at_door(in)...);
+  else
+    return side_of_plane_meeting(boundary, at_door(in)...);
 }
 // The same place, rounded.
-template <Floating T, int D, Point P>
-constexpr std::optional<P> rounded_place(const line_meeting&, const half_space<T, D>& h, const P& from,
-                                         const P& to) noexcept {
-  const auto at = rounded_line_meeting(h, as_point<T>(from), as_point<T>(to));
-  return at ? std::optional(own_point<P>(*at)) : std::nullopt;
-}
-template <Floating T, Point P>
-constexpr std::optional<P> rounded_place(const plane_meeting&, const half_space<T, 3>& g, const half_space<T, 3>& h,
-                                         const P& p, const P& q, const P& r) noexcept {
-  const auto at = rounded_planes_meeting(g, h, as_point<T>(p), as_point<T>(q), as_point<T>(r));
-  return at ? std::optional(own_point<P>(*at)) : std::nullopt;
+template <Point P, class Meeting, class... In>
+constexpr std::optional<P> rounded_place(const Meeting&, const In&... in) noexcept {
+  const auto own = [](const auto& at) { return at ? std::optional(own_point<P>(*at)) : std::nullopt; };
+  if constexpr (std::is_same_v<Meeting, line_meeting>)
+    return own(rounded_line_meeting(at_door(in)...));
+  else
+    return own(rounded_planes_meeting(at_door(in)...));
 }
 
 // Whether points of the half-space round to p. The corner of those that do is midway to the neighbour further inside.
@@ -331,7 +334,7 @@ private:
     }
   }
   constexpr std::optional<P> rounded(const corner& c) const noexcept {
-    return as_meeting(c, [](const auto& meeting, const auto&... in) { return rounded_place(meeting, in...); });
+    return as_meeting(c, [](const auto& meeting, const auto&... in) { return rounded_place<P>(meeting, in...); });
   }
 
   // The polygon's plane: that through three vertices, a third of the way round apart or next to each other.
@@ -366,7 +369,7 @@ private:
       const T x = coordinate(p, i);
       return static_cast<std::size_t>(i) != up ? x : x == T(0) ? T(1) : T(0);
     });
-    const auto found = rounded_place(plane_meeting{}, first, second, p, q, over);
+    const auto found = rounded_place<P>(plane_meeting{}, first, second, p, q, over);
     P at = found ? *found : p;
     for (std::size_t i = 0; i <= k; ++i)
       if (!touches(i, at)) at = from.side < 0 ? q : p;
