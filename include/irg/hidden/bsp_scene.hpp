@@ -201,24 +201,31 @@ constexpr double depth_on_plane(const plane_on_screen& p, const screen_face& f, 
   return !(low < z) ? low : high < z ? high : z;
 }
 
+// Draws a piece: its face, within its limits.
 template <class T>
-constexpr void paint_piece(const bsp_data_3d<T>& d, const pieces_on_screen& on, std::uint32_t limits,
-                           const screen_face& f, const cell_window& window, image<std::uint32_t>& ids) {
-  covered_spans(f.coverage, window, [&](const span_of_cells& s) {
-    const double y = s.y + 0.5;
-    for (int i = s.x_first; i < s.x_last; ++i) {
-      bool within = true;
-      if (limits != no_index) {
-        const double x = i + 0.5, z = depth_on_plane(on.of_triangle[f.number], f, x, y);
-        for (std::uint32_t l = limits; within && l != no_index; l = d.limits[l].next) {
-          const plane_on_screen& p = on.of_node[d.limits[l].node];
-          within = (p.at(x, y) + product(p.depth, z) > 0) == (d.limits[l].side > 0);
+struct piece_painter {
+  const bsp_data_3d<T>& d;
+  const pieces_on_screen& on;
+  const cell_window& window;
+  image<std::uint32_t>& ids;
+
+  constexpr void operator()(std::uint32_t limits, const screen_face& f) const {
+    covered_spans(f.coverage, window, [&](const span_of_cells& s) {
+      const double y = s.y + 0.5;
+      for (int i = s.x_first; i < s.x_last; ++i) {
+        bool within = true;
+        if (limits != no_index) {
+          const double x = i + 0.5, z = depth_on_plane(on.of_triangle[f.number], f, x, y);
+          for (std::uint32_t l = limits; within && l != no_index; l = d.limits[l].next) {
+            const plane_on_screen& p = on.of_node[d.limits[l].node];
+            within = (p.at(x, y) + product(p.depth, z) > 0) == (d.limits[l].side > 0);
+          }
         }
+        if (within) ids(i, s.y) = f.number;
       }
-      if (within) ids(i, s.y) = f.number;
-    }
-  });
-}
+    });
+  }
+};
 
 }  // namespace irg::detail::inline IRG_ABI
 
@@ -251,7 +258,8 @@ IRG_DOOR void paint_pieces(const bsp_data_3d<T>& d, const pieces_on_screen& p, c
   }
   std::sort(parts.begin(), parts.end(),
             [](const part& a, const part& b) { return a.rank != b.rank ? a.rank < b.rank : a.face < b.face; });
-  for (const part& one : parts) paint_piece(d, p, one.limits, faces[one.face], window, ids);
+  const piece_painter<T> paint{d, p, window, ids};
+  for (const part& one : parts) paint(one.limits, faces[one.face]);
   counts.tested += static_cast<std::int64_t>(parts.size());
 }
 

@@ -18,14 +18,6 @@
 
 namespace irg {
 
-namespace detail::inline IRG_DOORS {
-
-template <DepthOrder Order>
-IRG_DOOR void paint_by_centroid(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                                draw_counts& counts);
-
-}  // namespace detail::inline IRG_DOORS
-
 /// A hidden-surface method that is often wrong: faces are drawn in the order of their centroids' depths, far ones
 /// first, of equal depths those with the higher number first; in drawing_order those with the lower number.
 /// gives   into each pixel that some face covers the number of the last one drawn there: not always the nearest;
@@ -37,11 +29,24 @@ template <DepthOrder Order = nearer_is_greater>
 struct painter_by_centroid_rounded {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                                      draw_counts& counts) const {
-    std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-    detail::paint_by_centroid<Order>(ids, list, window, counts);
-  }
+                                      draw_counts& counts) const;
 };
+
+namespace detail::inline IRG_DOORS {
+
+template <DepthOrder Order>
+IRG_DOOR void paint_by_centroid(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                                draw_counts& counts);
+
+}  // namespace detail::inline IRG_DOORS
+
+template <DepthOrder Order>
+template <class Faces>
+constexpr void painter_by_centroid_rounded<Order>::operator()(const Faces& faces, const cell_window& window,
+                                                              image<std::uint32_t>& ids, draw_counts& counts) const {
+  std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+  detail::paint_by_centroid<Order>(ids, list, window, counts);
+}
 
 }  // namespace irg
 

@@ -12,14 +12,6 @@
 
 namespace irg {
 
-namespace detail::inline IRG_DOORS {
-
-template <DepthOrder Order>
-IRG_DOOR void paint_each_once(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                              draw_counts& counts);
-
-}  // namespace detail::inline IRG_DOORS
-
 /// A hidden-surface method for faces that hardly hide each other, as the front faces of one convex body do not: each
 /// face is drawn once, and depths are compared in the pixels that are met again.
 /// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are;
@@ -30,11 +22,24 @@ template <DepthOrder Order = nearer_is_greater>
 struct painter_once : exact_method {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                                      draw_counts& counts) const {
-    std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-    detail::paint_each_once<Order>(ids, list, window, counts);
-  }
+                                      draw_counts& counts) const;
 };
+
+namespace detail::inline IRG_DOORS {
+
+template <DepthOrder Order>
+IRG_DOOR void paint_each_once(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                              draw_counts& counts);
+
+}  // namespace detail::inline IRG_DOORS
+
+template <DepthOrder Order>
+template <class Faces>
+constexpr void painter_once<Order>::operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                               draw_counts& counts) const {
+  std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+  detail::paint_each_once<Order>(ids, list, window, counts);
+}
 
 }  // namespace irg
 

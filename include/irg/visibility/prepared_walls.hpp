@@ -13,13 +13,12 @@
 
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/vocabulary.hpp>
-#include <irg/visibility/sight_result.hpp>
+#include <irg/visibility/visibility_polygon.hpp>
 #if IRG_BODIES
 #include <irg/core/contraction.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/core/is_finite.hpp>
 #include <irg/core/vocabulary.hpp>
-#include <irg/visibility/visibility_polygon.hpp>
 #endif
 
 namespace irg {
