@@ -5,6 +5,7 @@
 #include <irg/io/image_file.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/render/draw_triangles.hpp>
 #include <irg/render/drawable.hpp>
 #include <irg/scene/camera.hpp>
 
