@@ -35,6 +35,7 @@ using numbers = std::vector<std::uint32_t>;
                                   projected_vertices<T>&, const executor_ref&);                                   \
   template std::vector<line_on_screen> lines_of_faces(const projected_mesh<T>&, face_culling, const cell_window&, \
                                                       render_counts&);                                            \
+  template bool has_valid_faces(const scene<T>&) noexcept;                                                        \
   template render_counts render_scene(const scene<T>&, const render_options&, const views&);                      \
   template render_counts render_by(const window_method<T>&, const scene<T>&, render_options, const views&);       \
   template render_counts render_prepared(prepared_scene<T>&, const render_options&, const views&);                \

@@ -11,6 +11,7 @@
 #if IRG_BODIES
 #include <irg/mesh/normals.hpp>
 #include <irg/mesh/triangulate.hpp>
+#include <irg/render/draw_triangles.hpp>
 #endif
 
 namespace irg {

@@ -15,6 +15,7 @@
 #include <irg/render/options.hpp>
 #include <irg/scene/scene.hpp>
 #if IRG_BODIES
+#include <irg/render/occlusion_culling.hpp>
 #include <irg/view/affine.hpp>
 #endif
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/contract.hpp>
 #include <irg/core/executor.hpp>
 #include <irg/core/function_ref.hpp>
 #include <irg/raster/image.hpp>
@@ -112,6 +113,9 @@ struct window_method {
 
 inline namespace IRG_DOORS {
 
+// Whether no mesh's faces have a defect.
+template <Floating T>
+IRG_DOOR bool has_valid_faces(const scene<T>& world) noexcept;
 template <Floating T, class Colour, class Depth>
 IRG_DOOR render_counts render_scene(const scene<T>& world, const render_options& options,
                                     const picture_run<Colour, Depth>& run);
@@ -131,6 +135,7 @@ template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Obser
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts render(const scene<T>& world, render_target<Colour, Depth> target,
                                const render_options& options, const E& executor, Observer&& observer) {
+  IRG_EXPECTS(detail::has_valid_faces(world));
   return detail::on_rows_of(target, [&](auto& colour, auto& depth) {
     return detail::render_scene(
         world, options,
@@ -447,12 +452,17 @@ constexpr render_counts draw_picture(const picture_frame<T>& f, const picture_ob
 
 namespace irg::detail::inline IRG_DOORS {
 
+template <Floating T>
+IRG_DOOR bool has_valid_faces(const scene<T>& world) noexcept {
+  for (const object<T>& o : world.objects)
+    if (validate_faces(o.shape).defect != mesh_defect::none) return false;
+  return true;
+}
+
 template <Floating T, class Colour, class Depth>
 IRG_DOOR render_counts render_scene(const scene<T>& world, const render_options& options,
                                     const picture_run<Colour, Depth>& run) {
   const int width = width_of(run.colour), height = height_of(run.colour);
-  for ([[maybe_unused]] const object<T>& o : world.objects)
-    IRG_EXPECTS(validate_faces(o.shape).defect == mesh_defect::none);
   if (width == 0 || height == 0) return {};
   std::vector<prepared_object<T>> made = extents_of<T>(world.objects);
   drawing_lists lists;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/contract.hpp>
 #include <irg/core/executor.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/render/prepared_scene.hpp>
@@ -92,6 +93,7 @@ template <Floating T, RowRaster Colour, RowRaster Depth, Executor E>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
                                const render_options& options, const E& executor) {
+  IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());
   const no_observer observer;
   return detail::on_rows_of(target, [&](auto& colour, auto& depth) {
     return detail::render_building(
@@ -219,7 +221,6 @@ IRG_DOOR render_counts render_building(prepared_rooms<T>& building, const render
                                        const picture_run<Colour, Depth>& run) {
   const int width = width_of(run.colour), height = height_of(run.colour);
   if (width == 0 || height == 0) return {};
-  IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());
   std::vector<std::uint32_t> candidates;
   std::vector<cell_window> windows(building.plan.cells.size(), cell_window{0, 0, width, height});
   if (options.skip.rooms == skipping::on)

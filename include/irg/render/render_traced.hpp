@@ -10,9 +10,7 @@
 
 #include <irg/core/executor.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/render/detail/visible/draw_target.hpp>
-#include <irg/render/options.hpp>
-#include <irg/scene/scene.hpp>
+#include <irg/render/render.hpp>
 #include <irg/trace/trace_ray.hpp>
 #if IRG_BODIES
 #include <cstdint>
