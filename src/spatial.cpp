@@ -2,6 +2,7 @@
 // The doors of spatial, for float and double, bvh with rays of either, counted and not.
 #include <irg/spatial/bsp_tree_2d.hpp>
 #include <irg/spatial/bsp_tree_3d.hpp>
+#include <irg/spatial/cross_triangle.hpp>
 #include <irg/spatial/triangle_bvh.hpp>
 
 namespace irg {
@@ -16,14 +17,16 @@ using found = std::optional<triangle_hit>;
                                         const function_ref<bool(std::uint32_t)>&, C&);                  \
   template void detail::each_hit(const triangle_bvh<T>&, const ray<U, 3>&,                              \
                                  const function_ref<void(const triangle_hit&)>&, C&);
-#define IRG_FOR_NUMBERS(T)                                                                                      \
-  template void refit<T>(bvh&, std::span<const box<T, 3>>);                                                     \
-  template bvh detail::build_box_tree(std::span<const box<T, 3>>, const bvh_options&, const executor_ref&);     \
-  template bvh detail::build_triangle_tree(std::span<const box<T, 3>>, const bvh_options&, const executor_ref&, \
-                                           const function_ref<std::array<point<T, 3>, 3>(std::size_t)>&);       \
-  IRG_FOR_RAYS(T, float, ray_counts)                                                                            \
-  IRG_FOR_RAYS(T, double, ray_counts)                                                                           \
-  IRG_FOR_RAYS(T, float, const uncounted_rays)                                                                  \
+#define IRG_FOR_NUMBERS(T)                                                                                          \
+  template std::optional<ray_crossing> intersect_triangle(const ray<T, 3>&, const point<T, 3>&, const point<T, 3>&, \
+                                                          const point<T, 3>&) noexcept;                             \
+  template void refit<T>(bvh&, std::span<const box<T, 3>>);                                                         \
+  template bvh detail::build_box_tree(std::span<const box<T, 3>>, const bvh_options&, const executor_ref&);         \
+  template bvh detail::build_triangle_tree(std::span<const box<T, 3>>, const bvh_options&, const executor_ref&,     \
+                                           const function_ref<std::array<point<T, 3>, 3>(std::size_t)>&);           \
+  IRG_FOR_RAYS(T, float, ray_counts)                                                                                \
+  IRG_FOR_RAYS(T, double, ray_counts)                                                                               \
+  IRG_FOR_RAYS(T, float, const uncounted_rays)                                                                      \
   IRG_FOR_RAYS(T, double, const uncounted_rays)
 IRG_FOR_NUMBERS(float)
 IRG_FOR_NUMBERS(double)
