@@ -27,11 +27,11 @@
 
 namespace irg::detail::inline IRG_DOORS {
 
-// No program evaluates these at compile time: they are constexpr nowhere.
+// Constexpr in name alone where doors are: files are no affair of constant evaluation.
 template <class Bytes = std::string>
-result<Bytes> load_bytes(const std::string& path);
+IRG_DOOR result<Bytes> load_bytes(const std::string& path);
 template <class Bytes>
-result<void> save_bytes(const std::string& path, const Bytes& bytes);
+IRG_DOOR result<void> save_bytes(const std::string& path, const Bytes& bytes);
 
 }  // namespace irg::detail::inline IRG_DOORS
 
@@ -130,7 +130,7 @@ inline bool replace_file(const char* from, const char* to) noexcept {
 namespace irg::detail::inline IRG_DOORS {
 
 template <class Bytes>
-result<Bytes> load_bytes(const std::string& path) {
+IRG_DOOR result<Bytes> load_bytes(const std::string& path) {
   if (kind_of_file(path.c_str()) == file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
   errno = 0;
   std::FILE* const file = std::fopen(path.c_str(), "rb");
@@ -151,7 +151,7 @@ result<Bytes> load_bytes(const std::string& path) {
 }
 
 template <class Bytes>
-result<void> save_bytes(const std::string& path, const Bytes& bytes) {
+IRG_DOOR result<void> save_bytes(const std::string& path, const Bytes& bytes) {
   const file_kind kind = kind_of_file(path.c_str());
   if (kind == file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
   if (kind == file_kind::other) {
