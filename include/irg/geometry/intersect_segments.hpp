@@ -103,6 +103,10 @@ template <Point P>
 [[nodiscard]] constexpr auto intersect_segments(const P& a, const P& b, const P& c, const P& d) noexcept
     -> segments_meeting<detail::meeting_point<P>> {
   if constexpr (detail::DoorNumber<scalar_of<P>>) {
+    if constexpr (size_of<P> == 2 && !IRG_BODIES) {  // what is told in less time than a call takes
+      if (!is_finite(a, b, c, d)) return {};
+      if (detail::on_one_side(a, b, c, d) || detail::on_one_side(c, d, a, b)) return {};
+    }
     const auto m = detail::meeting_of_segments(detail::door_point(a), detail::door_point(b), detail::door_point(c),
                                                detail::door_point(d));
     using M = detail::meeting_point<P>;

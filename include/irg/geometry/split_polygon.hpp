@@ -137,6 +137,7 @@ public:
   constexpr void cut(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
                      const half_space<T, D>& boundary) {
     const auto n = static_cast<std::uint32_t>(sides.size());
+    entries_.reserve(n + std::size_t{2});
     for (std::uint32_t i = 0; i < n; ++i) {
       const std::uint32_t j = i + 1 < n ? i + 1 : 0;
       entries_.push_back({i, i, sides[i], T(0), ring[i]});
@@ -294,6 +295,8 @@ private:
   constexpr void put_ring(std::vector<std::vector<std::uint32_t>>& out) const {
     std::vector<std::uint32_t> ring;
     std::vector<point<T, D>> positions;
+    ring.reserve(ring_.size());
+    positions.reserve(ring_.size());
     for (const std::uint32_t k : ring_) {
       const auto& at = entries_[k].at;
       if (!ring.empty() && same_place(positions.back(), at)) continue;
@@ -332,6 +335,7 @@ constexpr void split_as_planned(split_parts<ring_vertex_type<R>>& parts, const R
   using V = ring_vertex_type<R>;
   using T = vertex_scalar<V>;
   std::vector<point<T, D>> positions;
+  positions.reserve(sides.size());
   for (std::size_t i = 0; i < sides.size(); ++i) positions.push_back(as_point<T>(position_of(ring[i])));
   split_plan<T, D> plan;
   if constexpr (Floating<T>)
@@ -339,6 +343,7 @@ constexpr void split_as_planned(split_parts<ring_vertex_type<R>>& parts, const R
   else
     plan = make_split_plan(positions, sides, boundary);
   std::vector<V> vertices;
+  vertices.reserve(plan.entries.size());
   for (const auto& e : plan.entries)
     if (e.back == e.front)
       vertices.push_back(ring[e.back]);
@@ -347,7 +352,7 @@ constexpr void split_as_planned(split_parts<ring_vertex_type<R>>& parts, const R
           placed_at(V(interpolate(V(ring[e.front]), V(ring[e.back]), e.t)), own_point<vertex_position<V>>(e.at)));
   const auto put = [&](std::vector<std::vector<V>>& out, const std::vector<std::vector<std::uint32_t>>& rings) {
     for (const auto& numbers : rings) {
-      out.emplace_back();
+      out.emplace_back().reserve(numbers.size());
       for (const std::uint32_t k : numbers) out.back().push_back(vertices[k]);
     }
   };
