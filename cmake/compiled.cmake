@@ -6,7 +6,7 @@ set(IRG_COMPILED_OPTIMISATION "" CACHE STRING "How irg::compiled is optimised, i
 
 file(GLOB irg_compiled_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 
-function(irg_compile_doors target)
+function(irg_compile_library target)
   target_link_libraries(${target} PUBLIC irg)
   target_compile_definitions(${target} PRIVATE IRG_COMPILING)
   target_compile_options(${target} PRIVATE ${IRG_COMPILED_OPTIMISATION})
@@ -26,7 +26,7 @@ if(IRG_BUILD_COMPILED)
   set_target_properties(irg_compiled PROPERTIES EXCLUDE_FROM_ALL OFF)
 endif()
 add_library(irg::compiled ALIAS irg_compiled)
-irg_compile_doors(irg_compiled)
+irg_compile_library(irg_compiled)
 target_compile_definitions(irg_compiled PUBLIC IRG_COMPILED)
 set_target_properties(irg_compiled PROPERTIES
   EXPORT_NAME compiled

@@ -1,32 +1,32 @@
-# Writes OUT: under each door's name a jump through a pointer, which is set before anything else of the program runs to the
+# Writes OUT: under each function's name a jump through a pointer, which is set before anything else of the program runs to the
 # best level that the processor has. Until then, and on the least, it is the first level's.
-file(STRINGS ${DOORS} doors)
-list(LENGTH doors count)
+file(STRINGS ${FUNCTIONS} functions)
+list(LENGTH functions count)
 list(GET LEVELS 0 least)
 
 set(jumps "")
 set(pointers "")
-foreach(door IN LISTS doors)
-  string(APPEND jumps ".globl ${door}\n.type ${door}, @function\n.p2align 4\n${door}:\nendbr64\njmp *.Lat_${door}(%rip)\n.size ${door}, . - ${door}\n")
-  string(APPEND pointers ".Lat_${door}: .quad \"${door}.${least}\"\n")
+foreach(function IN LISTS functions)
+  string(APPEND jumps ".globl ${function}\n.type ${function}, @function\n.p2align 4\n${function}:\nendbr64\njmp *.Lat_${function}(%rip)\n.size ${function}, . - ${function}\n")
+  string(APPEND pointers ".Lat_${function}: .quad \"${function}.${least}\"\n")
 endforeach()
 set(tables "")
 set(choices "")
 foreach(level IN LISTS LEVELS)
   string(MAKE_C_IDENTIFIER ${level} name)
-  string(APPEND tables ".globl irg_doors_${name}\n.hidden irg_doors_${name}\nirg_doors_${name}:\n")
-  foreach(door IN LISTS doors)
-    string(APPEND tables ".quad \"${door}.${level}\"\n")
+  string(APPEND tables ".globl irg_functions_${name}\n.hidden irg_functions_${name}\nirg_functions_${name}:\n")
+  foreach(function IN LISTS functions)
+    string(APPEND tables ".quad \"${function}.${level}\"\n")
   endforeach()
-  string(APPEND choices "  if (has(\"${level}\")) chosen = irg_doors_${name};\n")
-  string(APPEND externs "extern \"C\" void* const irg_doors_${name}[];\n")
+  string(APPEND choices "  if (has(\"${level}\")) chosen = irg_functions_${name};\n")
+  string(APPEND externs "extern \"C\" void* const irg_functions_${name}[];\n")
 endforeach()
 
 file(WRITE ${OUT} "// Written by cmake/compiled_choice.cmake.
 #include <cstdlib>
 #include <cstring>
 
-extern \"C\" void* irg_doors[];
+extern \"C\" void* irg_functions[];
 ${externs}
 namespace {
 
@@ -48,7 +48,7 @@ bool has(const char* level) {
 [[gnu::constructor(101)]] void choose() {
   void* const* chosen = nullptr;
 ${choices}
-  for (int i = 0; chosen != nullptr && i < ${count}; ++i) irg_doors[i] = chosen[i];
+  for (int i = 0; chosen != nullptr && i < ${count}; ++i) irg_functions[i] = chosen[i];
 }
 
 }  // namespace
@@ -58,9 +58,9 @@ asm(R\"(
 ${jumps}
 .section .data.rel, \"aw\"
 .p2align 3
-.globl irg_doors
-.hidden irg_doors
-irg_doors:
+.globl irg_functions
+.hidden irg_functions
+irg_functions:
 ${pointers}
 .section .data.rel.ro, \"aw\"
 .p2align 3

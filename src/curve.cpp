@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of curve: surfaces of points of space, for float and double.
+// What irg::compiled has of curve: surfaces of points of space, for float and double.
 #include <irg/curve/surface_tessellation.hpp>
 #include <irg/curve/surface_trimming.hpp>
 

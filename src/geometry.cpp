@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of geometry, for float and double: predicates and polygons.
+// What irg::compiled has of geometry, for float and double: predicates and polygons.
 #include <irg/geometry/clip_sutherland_hodgman.hpp>
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/orient2d.hpp>

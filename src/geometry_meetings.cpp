@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of geometry, for float and double: where lines and planes meet, and spheres.
+// What irg::compiled has of geometry, for float and double: where lines and planes meet, and spheres.
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/geometry/intersect_planes.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of geometry, for float and double: distances and nearest points.
+// What irg::compiled has of geometry, for float and double: distances and nearest points.
 #include <irg/geometry/closest_point.hpp>
 #include <irg/geometry/distance.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of hidden.
+// What irg::compiled has of hidden.
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/bsp_faces.hpp>
 #include <irg/hidden/bsp_scene.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of io, for float and double.
+// What irg::compiled has of io, for float and double.
 #include <irg/io/file.hpp>
 #include <irg/io/image_file.hpp>
 #include <irg/io/mesh_file.hpp>

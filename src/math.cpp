@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of math, for float and double.
+// What irg::compiled has of math, for float and double.
 #include <irg/math/decimal.hpp>
 #include <irg/math/inverse.hpp>
 

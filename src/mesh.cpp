@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of mesh, for float and double.
+// What irg::compiled has of mesh, for float and double.
 #include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/crease_normals.hpp>
 #include <irg/mesh/from_half_edges.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of raster: into pixels of four 8-bit channels, or a sink.
+// What irg::compiled has of raster: into pixels of four 8-bit channels, or a sink.
 #include <irg/raster/draw_lines.hpp>
 #include <irg/raster/draw_text.hpp>
 #include <irg/raster/fill_convex_aa.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of render, for float and double, into views.
+// What irg::compiled has of render, for float and double, into views.
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/render/draw_transparent.hpp>
 #include <irg/render/occlusion_culling.hpp>

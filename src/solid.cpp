@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of solid, for float and double.
+// What irg::compiled has of solid, for float and double.
 #include <irg/solid/boolean.hpp>
 #include <irg/solid/orient_outward.hpp>
 #include <irg/solid/self_intersections.hpp>

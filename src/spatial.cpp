@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of spatial, for float and double, bvh with rays of either, counted and not.
+// What irg::compiled has of spatial, for float and double, bvh with rays of either, counted and not.
 #include <irg/spatial/bsp_tree_2d.hpp>
 #include <irg/spatial/bsp_tree_3d.hpp>
 #include <irg/spatial/cross_triangle.hpp>

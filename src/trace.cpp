@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of trace, for float and double, and of what draws with them.
+// What irg::compiled has of trace, for float and double, and of what draws with them.
 #include <irg/render/render_traced.hpp>
 #include <irg/trace/along_ray.hpp>
 #include <irg/trace/path_tracer.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors of visibility, for float and double.
+// What irg::compiled has of visibility, for float and double.
 #include <irg/visibility/cell_plan.hpp>
 #include <irg/visibility/cells_from_bsp.hpp>
 #include <irg/visibility/cut_source.hpp>

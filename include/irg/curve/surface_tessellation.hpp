@@ -78,28 +78,28 @@ constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& pat
 
 namespace irg::detail {
 
-// Programs without the library go by no door here: a sink is part of the innermost loop.
+// Programs without irg::compiled do without here: a sink is part of the innermost loop.
 template <class P>
-inline constexpr bool is_door_point = false;
+inline constexpr bool is_library_point = false;
 template <Floating T>
-inline constexpr bool is_door_point<point<T, 3>> = true;
+inline constexpr bool is_library_point<point<T, 3>> = true;
 template <Floating T>
-inline constexpr bool is_door_point<hpoint<T, 3>> = true;
+inline constexpr bool is_library_point<hpoint<T, 3>> = true;
 
-// What surfaces' doors take control points as.
+// What irg::compiled takes the control points of surfaces as.
 template <class P>
-concept DoorControlPoint = is_door_point<P>;
+concept CompiledControlPoint = is_library_point<P>;
 
-template <DoorControlPoint P>
+template <CompiledControlPoint P>
 using triangle_sink = function_ref<void(const surface_corner<P>&, const surface_corner<P>&, const surface_corner<P>&)>;
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
-template <DoorControlPoint P>
-IRG_DOOR surface_tessellation send_surface(const control_net<P>& net, scalar_of<P> tolerance,
-                                           const triangle_sink<P>& sink);
+template <CompiledControlPoint P>
+IRG_API surface_tessellation send_surface(const control_net<P>& net, scalar_of<P> tolerance,
+                                          const triangle_sink<P>& sink);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -378,7 +378,7 @@ template <CurvePoint P, class Sink>
   requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr surface_tessellation tessellate_within(const control_net<P>& net,
                                                  std::type_identity_t<scalar_of<P>> tolerance, Sink&& sink) {
-  if constexpr (!IRG_BODIES && detail::DoorControlPoint<P>)
+  if constexpr (!IRG_BODIES && detail::CompiledControlPoint<P>)
     return detail::send_surface(
         net, tolerance,
         as_function<void(const surface_corner<P>&, const surface_corner<P>&, const surface_corner<P>&)>(sink));
@@ -432,13 +432,13 @@ constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& pat
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DoorControlPoint P>
-IRG_DOOR surface_tessellation send_surface(const control_net<P>& net, scalar_of<P> tolerance,
-                                           const triangle_sink<P>& sink) {
+template <CompiledControlPoint P>
+IRG_API surface_tessellation send_surface(const control_net<P>& net, scalar_of<P> tolerance,
+                                          const triangle_sink<P>& sink) {
   return tessellate_net(net, tolerance, sink);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

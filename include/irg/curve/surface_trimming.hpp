@@ -37,14 +37,14 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
 
 }  // namespace irg::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DoorControlPoint P>
-IRG_DOOR std::optional<surface_tessellation> send_trimmed_surface(
+template <CompiledControlPoint P>
+IRG_API std::optional<surface_tessellation> send_trimmed_surface(
     const control_net<P>& net, const std::vector<point<scalar_of<P>, 2>>& places,
     const std::vector<std::array<std::uint32_t, 3>>& triangles, scalar_of<P> tolerance, const triangle_sink<P>& sink);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -142,7 +142,7 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
     add(polygon);
   else
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::size(polygon)); ++i) add(polygon[i]);
-  if constexpr (!IRG_BODIES && detail::DoorControlPoint<P>)
+  if constexpr (!IRG_BODIES && detail::CompiledControlPoint<P>)
     return detail::send_trimmed_surface(
         net, places, parts.triangles, tolerance,
         as_function<void(const surface_corner<P>&, const surface_corner<P>&, const surface_corner<P>&)>(sink));
@@ -153,14 +153,14 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DoorControlPoint P>
-IRG_DOOR std::optional<surface_tessellation> send_trimmed_surface(
+template <CompiledControlPoint P>
+IRG_API std::optional<surface_tessellation> send_trimmed_surface(
     const control_net<P>& net, const std::vector<point<scalar_of<P>, 2>>& places,
     const std::vector<std::array<std::uint32_t, 3>>& triangles, scalar_of<P> tolerance, const triangle_sink<P>& sink) {
   return tessellate_parts(net, places, triangles, tolerance, sink);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -50,33 +50,32 @@ struct point_pair {
 
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR std::optional<point_on_line<point<T, N>>> nearest_on_line(const point<T, N>& a, const point<T, N>& b,
-                                                                   const point<T, N>& p) noexcept;
+IRG_API std::optional<point_on_line<point<T, N>>> nearest_on_line(const point<T, N>& a, const point<T, N>& b,
+                                                                  const point<T, N>& p) noexcept;
 template <Floating T, int N>
-IRG_DOOR std::optional<point_on_line<point<T, N>>> nearest_on_segment(const point<T, N>& a, const point<T, N>& b,
-                                                                      const point<T, N>& p) noexcept;
+IRG_API std::optional<point_on_line<point<T, N>>> nearest_on_segment(const point<T, N>& a, const point<T, N>& b,
+                                                                     const point<T, N>& p) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<point<T, 3>> nearest_on_plane(const plane<T>& l, const point<T, 3>& p) noexcept;
+IRG_API std::optional<point<T, 3>> nearest_on_plane(const plane<T>& l, const point<T, 3>& p) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<point_on_triangle<point<T, 3>>> nearest_on_triangle(const point<T, 3>& a, const point<T, 3>& b,
-                                                                           const point<T, 3>& c,
-                                                                           const point<T, 3>& p) noexcept;
+IRG_API std::optional<point_on_triangle<point<T, 3>>> nearest_on_triangle(const point<T, 3>& a, const point<T, 3>& b,
+                                                                          const point<T, 3>& c,
+                                                                          const point<T, 3>& p) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<point_pair<point<T, 3>>> nearest_of_lines(const point<T, 3>& a, const point<T, 3>& b,
-                                                                 const point<T, 3>& c, const point<T, 3>& d) noexcept;
+IRG_API std::optional<point_pair<point<T, 3>>> nearest_of_lines(const point<T, 3>& a, const point<T, 3>& b,
+                                                                const point<T, 3>& c, const point<T, 3>& d) noexcept;
 template <Floating T, int N>
-IRG_DOOR std::optional<point_pair<point<T, N>>> nearest_of_segments(const point<T, N>& a, const point<T, N>& b,
-                                                                    const point<T, N>& c,
-                                                                    const point<T, N>& d) noexcept;
+IRG_API std::optional<point_pair<point<T, N>>> nearest_of_segments(const point<T, N>& a, const point<T, N>& b,
+                                                                   const point<T, N>& c, const point<T, N>& d) noexcept;
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
-// What is found for points of numbers of any type: floats and doubles go through the doors.
+// What is found for points of numbers of any type: floats and doubles go through irg::compiled.
 
 template <Point P>
 constexpr point_on_line<P> nearest_part_of_segment(const P& a, const P& b, const P& p) noexcept {
@@ -181,7 +180,7 @@ constexpr std::optional<point_pair<P>> find_nearest_of_segments(const P& a, cons
   return point_pair<P>{foot.at, from, foot.t, T(end - 2)};
 }
 
-// Results of the doors, for points of the caller's type.
+// Results of irg::compiled, for points of the caller's type.
 template <Point P, class T, int N>
 constexpr std::optional<P> own_result(const std::optional<point<T, N>>& r) noexcept {
   return r ? std::optional(own_point<P>(*r)) : std::nullopt;
@@ -319,44 +318,44 @@ IRG_REFUSES_VECTORS(closest_points_of_segments);
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR std::optional<point_on_line<point<T, N>>> nearest_on_line(const point<T, N>& a, const point<T, N>& b,
-                                                                   const point<T, N>& p) noexcept {
+IRG_API std::optional<point_on_line<point<T, N>>> nearest_on_line(const point<T, N>& a, const point<T, N>& b,
+                                                                  const point<T, N>& p) noexcept {
   return find_nearest_on_line(a, b, p);
 }
 
 template <Floating T, int N>
-IRG_DOOR std::optional<point_on_line<point<T, N>>> nearest_on_segment(const point<T, N>& a, const point<T, N>& b,
-                                                                      const point<T, N>& p) noexcept {
+IRG_API std::optional<point_on_line<point<T, N>>> nearest_on_segment(const point<T, N>& a, const point<T, N>& b,
+                                                                     const point<T, N>& p) noexcept {
   return find_nearest_on_segment(a, b, p);
 }
 
 template <Floating T>
-IRG_DOOR std::optional<point<T, 3>> nearest_on_plane(const plane<T>& l, const point<T, 3>& p) noexcept {
+IRG_API std::optional<point<T, 3>> nearest_on_plane(const plane<T>& l, const point<T, 3>& p) noexcept {
   return find_nearest_on_plane(l, p);
 }
 
 template <Floating T>
-IRG_DOOR std::optional<point_on_triangle<point<T, 3>>> nearest_on_triangle(const point<T, 3>& a, const point<T, 3>& b,
-                                                                           const point<T, 3>& c,
-                                                                           const point<T, 3>& p) noexcept {
+IRG_API std::optional<point_on_triangle<point<T, 3>>> nearest_on_triangle(const point<T, 3>& a, const point<T, 3>& b,
+                                                                          const point<T, 3>& c,
+                                                                          const point<T, 3>& p) noexcept {
   return find_nearest_on_triangle(a, b, c, p);
 }
 
 template <Floating T>
-IRG_DOOR std::optional<point_pair<point<T, 3>>> nearest_of_lines(const point<T, 3>& a, const point<T, 3>& b,
-                                                                 const point<T, 3>& c, const point<T, 3>& d) noexcept {
+IRG_API std::optional<point_pair<point<T, 3>>> nearest_of_lines(const point<T, 3>& a, const point<T, 3>& b,
+                                                                const point<T, 3>& c, const point<T, 3>& d) noexcept {
   return find_nearest_of_lines(a, b, c, d);
 }
 
 template <Floating T, int N>
-IRG_DOOR std::optional<point_pair<point<T, N>>> nearest_of_segments(const point<T, N>& a, const point<T, N>& b,
-                                                                    const point<T, N>& c,
-                                                                    const point<T, N>& d) noexcept {
+IRG_API std::optional<point_pair<point<T, N>>> nearest_of_segments(const point<T, N>& a, const point<T, N>& b,
+                                                                   const point<T, N>& c,
+                                                                   const point<T, N>& d) noexcept {
   return find_nearest_of_segments(a, b, c, d);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

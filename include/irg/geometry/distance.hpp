@@ -20,30 +20,30 @@
 #include <irg/math/exact/values_of.hpp>
 #endif
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR std::optional<T> distance_of_points(const point<T, N>& p, const point<T, N>& q) noexcept;
+IRG_API std::optional<T> distance_of_points(const point<T, N>& p, const point<T, N>& q) noexcept;
 template <Floating T, int N>
-IRG_DOOR std::optional<T> distance_from_line(const point<T, N>& a, const point<T, N>& b, const point<T, N>& p) noexcept;
+IRG_API std::optional<T> distance_from_line(const point<T, N>& a, const point<T, N>& b, const point<T, N>& p) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<T> height_over_line(const line<T>& l, const point<T, 2>& p) noexcept;
+IRG_API std::optional<T> height_over_line(const line<T>& l, const point<T, 2>& p) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<T> height_over_plane(const plane<T>& l, const point<T, 3>& p) noexcept;
+IRG_API std::optional<T> height_over_plane(const plane<T>& l, const point<T, 3>& p) noexcept;
 template <Floating T, int N>
-IRG_DOOR std::optional<T> distance_from_segment(const point<T, N>& a, const point<T, N>& b,
-                                                const point<T, N>& p) noexcept;
+IRG_API std::optional<T> distance_from_segment(const point<T, N>& a, const point<T, N>& b,
+                                               const point<T, N>& p) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<T> distance_from_triangle(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
-                                                 const point<T, 3>& p) noexcept;
+IRG_API std::optional<T> distance_from_triangle(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
+                                                const point<T, 3>& p) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<T> distance_between_lines(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
-                                                 const point<T, 3>& d) noexcept;
+IRG_API std::optional<T> distance_between_lines(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
+                                                const point<T, 3>& d) noexcept;
 template <Floating T, int N>
-IRG_DOOR std::optional<T> distance_between_segments(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
-                                                    const point<T, N>& d) noexcept;
+IRG_API std::optional<T> distance_between_segments(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
+                                                   const point<T, N>& d) noexcept;
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -162,25 +162,24 @@ constexpr T height_over_root(const scaled_double_double& height, const scaled_do
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR std::optional<T> distance_of_points(const point<T, N>& p, const point<T, N>& q) noexcept {
+IRG_API std::optional<T> distance_of_points(const point<T, N>& p, const point<T, N>& q) noexcept {
   const auto squared = squared_distance(p, q);
   if (!squared) return std::nullopt;
   return rounded_to<T>(sqrt(*squared));
 }
 
 template <Floating T, int N>
-IRG_DOOR std::optional<T> distance_from_line(const point<T, N>& a, const point<T, N>& b,
-                                             const point<T, N>& p) noexcept {
+IRG_API std::optional<T> distance_from_line(const point<T, N>& a, const point<T, N>& b, const point<T, N>& p) noexcept {
   const auto v = squared_from_line(a, b, p);
   if (!v || same_place(a, b)) return std::nullopt;
   return rounded_to<T>(sqrt((*v)[0] / (*v)[1]));
 }
 
 template <Floating T>
-IRG_DOOR std::optional<T> height_over_line(const line<T>& l, const point<T, 2>& p) noexcept {
+IRG_API std::optional<T> height_over_line(const line<T>& l, const point<T, 2>& p) noexcept {
   const auto v = values_of<2>(
       [](const auto& k, const auto& at) { return std::array{k.x * at.x + k.y * at.y + k.z, k.x * k.x + k.y * k.y}; },
       vec{l.a, l.b, l.c}, p);
@@ -189,7 +188,7 @@ IRG_DOOR std::optional<T> height_over_line(const line<T>& l, const point<T, 2>& 
 }
 
 template <Floating T>
-IRG_DOOR std::optional<T> height_over_plane(const plane<T>& l, const point<T, 3>& p) noexcept {
+IRG_API std::optional<T> height_over_plane(const plane<T>& l, const point<T, 3>& p) noexcept {
   const auto v = values_of<2>(
       [](const auto& of, const auto& at) {
         const auto n = normal_of(of);
@@ -201,15 +200,15 @@ IRG_DOOR std::optional<T> height_over_plane(const plane<T>& l, const point<T, 3>
 }
 
 template <Floating T, int N>
-IRG_DOOR std::optional<T> distance_from_segment(const point<T, N>& a, const point<T, N>& b,
-                                                const point<T, N>& p) noexcept {
+IRG_API std::optional<T> distance_from_segment(const point<T, N>& a, const point<T, N>& b,
+                                               const point<T, N>& p) noexcept {
   if (!is_finite(a, b, p)) return std::nullopt;
   return rounded_to<T>(sqrt(squared_from_segment(a, b, p)));
 }
 
 template <Floating T>
-IRG_DOOR std::optional<T> distance_from_triangle(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
-                                                 const point<T, 3>& p) noexcept {
+IRG_API std::optional<T> distance_from_triangle(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
+                                                const point<T, 3>& p) noexcept {
   const auto foot = foot_on_triangle(a, b, c, p);
   if (!foot) return std::nullopt;
   switch (foot->region) {
@@ -231,8 +230,8 @@ IRG_DOOR std::optional<T> distance_from_triangle(const point<T, 3>& a, const poi
 }
 
 template <Floating T>
-IRG_DOOR std::optional<T> distance_between_lines(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
-                                                 const point<T, 3>& d) noexcept {
+IRG_API std::optional<T> distance_between_lines(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
+                                                const point<T, 3>& d) noexcept {
   if (same_place(a, b) || same_place(c, d)) return std::nullopt;
   const auto lines = nearest_on_lines(a, b, c, d);
   if (!lines) return std::nullopt;
@@ -242,8 +241,8 @@ IRG_DOOR std::optional<T> distance_between_lines(const point<T, 3>& a, const poi
 }
 
 template <Floating T, int N>
-IRG_DOOR std::optional<T> distance_between_segments(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
-                                                    const point<T, N>& d) noexcept {
+IRG_API std::optional<T> distance_between_segments(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
+                                                   const point<T, N>& d) noexcept {
   if (!is_finite(a, b, c, d)) return std::nullopt;
   if (intersect_segments(a, b, c, d).relation != segment_relation::none) return T(0);
   if constexpr (N == 3) {
@@ -260,5 +259,5 @@ IRG_DOOR std::optional<T> distance_between_segments(const point<T, N>& a, const 
   }
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -31,16 +31,16 @@ struct lines_meeting {
 
 namespace detail {
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR lines_meeting<point<T, N>> meeting_of_lines(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
-                                                     const point<T, N>& d) noexcept;
+IRG_API lines_meeting<point<T, N>> meeting_of_lines(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
+                                                    const point<T, N>& d) noexcept;
 template <Floating T, int N>
-IRG_DOOR lines_meeting<point<T, N>> meeting_of_lines(const parametric_line<T, N>& first,
-                                                     const parametric_line<T, N>& second) noexcept;
+IRG_API lines_meeting<point<T, N>> meeting_of_lines(const parametric_line<T, N>& first,
+                                                    const parametric_line<T, N>& second) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 // The type of the place where such points' lines meet: in doubles for points of integers.
 template <Point P>
@@ -162,9 +162,9 @@ template <Point P>
   requires(Scalar<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr auto intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept
     -> lines_meeting<detail::meeting_point<P>> {
-  if constexpr (detail::DoorNumber<scalar_of<P>>) {
-    const auto m = detail::meeting_of_lines(detail::door_point(a), detail::door_point(b), detail::door_point(c),
-                                            detail::door_point(d));
+  if constexpr (detail::CompiledNumber<scalar_of<P>>) {
+    const auto m = detail::meeting_of_lines(detail::library_point(a), detail::library_point(b),
+                                            detail::library_point(c), detail::library_point(d));
     return {m.relation, detail::own_point<detail::meeting_point<P>>(m.at), m.t, m.s};
   } else {
     return detail::find_meeting_of_lines(a, b, c, d);
@@ -190,19 +190,19 @@ IRG_REFUSES_VECTORS(intersect_lines);
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR lines_meeting<point<T, N>> meeting_of_lines(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
-                                                     const point<T, N>& d) noexcept {
+IRG_API lines_meeting<point<T, N>> meeting_of_lines(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
+                                                    const point<T, N>& d) noexcept {
   return find_meeting_of_lines(a, b, c, d);
 }
 
 template <Floating T, int N>
-IRG_DOOR lines_meeting<point<T, N>> meeting_of_lines(const parametric_line<T, N>& first,
-                                                     const parametric_line<T, N>& second) noexcept {
+IRG_API lines_meeting<point<T, N>> meeting_of_lines(const parametric_line<T, N>& first,
+                                                    const parametric_line<T, N>& second) noexcept {
   return find_meeting_of_lines(first, second);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -36,23 +36,23 @@ struct parametric_meeting {
   bool operator==(const parametric_meeting&) const = default;
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR plane_line_meeting<point<T, 3>> meeting_of_plane_line(const plane<T>& plane, const point<T, 3>& a,
-                                                               const point<T, 3>& b) noexcept;
+IRG_API plane_line_meeting<point<T, 3>> meeting_of_plane_line(const plane<T>& plane, const point<T, 3>& a,
+                                                              const point<T, 3>& b) noexcept;
 template <Floating T>
-IRG_DOOR plane_line_meeting<point<T, 3>> meeting_of_plane_line(const plane<T>& plane,
-                                                               const parametric_line<T, 3>& line) noexcept;
+IRG_API plane_line_meeting<point<T, 3>> meeting_of_plane_line(const plane<T>& plane,
+                                                              const parametric_line<T, 3>& line) noexcept;
 template <Floating T>
-IRG_DOOR plane_line_meeting<point<T, 3>> meeting_of_plane_line(const point<T, 3>& p, const point<T, 3>& q,
-                                                               const point<T, 3>& r, const point<T, 3>& a,
-                                                               const point<T, 3>& b) noexcept;
+IRG_API plane_line_meeting<point<T, 3>> meeting_of_plane_line(const point<T, 3>& p, const point<T, 3>& q,
+                                                              const point<T, 3>& r, const point<T, 3>& a,
+                                                              const point<T, 3>& b) noexcept;
 template <Floating T>
-IRG_DOOR parametric_meeting<T> meeting_of_plane_line(const parametric_plane<T>& plane,
-                                                     const parametric_line<T, 3>& line) noexcept;
+IRG_API parametric_meeting<T> meeting_of_plane_line(const parametric_plane<T>& plane,
+                                                    const parametric_line<T, 3>& line) noexcept;
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -152,7 +152,7 @@ template <Plane L, Point P>
 [[nodiscard]] constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a, const P& b) noexcept {
   if constexpr (Floating<scalar_of<P>>)
     return detail::own_meeting<P>(
-        detail::meeting_of_plane_line(detail::as_plane(plane), detail::door_point(a), detail::door_point(b)));
+        detail::meeting_of_plane_line(detail::as_plane(plane), detail::library_point(a), detail::library_point(b)));
   else
     return detail::find_meeting_of_plane_line(detail::as_plane(plane), a, b);
 }
@@ -176,9 +176,9 @@ template <Point P>
 [[nodiscard]] constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, const P& r, const P& a,
                                                                    const P& b) noexcept {
   if constexpr (Floating<scalar_of<P>>)
-    return detail::own_meeting<P>(detail::meeting_of_plane_line(detail::door_point(p), detail::door_point(q),
-                                                                detail::door_point(r), detail::door_point(a),
-                                                                detail::door_point(b)));
+    return detail::own_meeting<P>(detail::meeting_of_plane_line(detail::library_point(p), detail::library_point(q),
+                                                                detail::library_point(r), detail::library_point(a),
+                                                                detail::library_point(b)));
   else
     return detail::find_meeting_of_plane_line(p, q, r, a, b);
 }
@@ -202,32 +202,32 @@ IRG_REFUSES_VECTORS(intersect_plane_line);
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR plane_line_meeting<point<T, 3>> meeting_of_plane_line(const plane<T>& plane, const point<T, 3>& a,
-                                                               const point<T, 3>& b) noexcept {
+IRG_API plane_line_meeting<point<T, 3>> meeting_of_plane_line(const plane<T>& plane, const point<T, 3>& a,
+                                                              const point<T, 3>& b) noexcept {
   return find_meeting_of_plane_line(plane, a, b);
 }
 
 template <Floating T>
-IRG_DOOR plane_line_meeting<point<T, 3>> meeting_of_plane_line(const plane<T>& plane,
-                                                               const parametric_line<T, 3>& line) noexcept {
+IRG_API plane_line_meeting<point<T, 3>> meeting_of_plane_line(const plane<T>& plane,
+                                                              const parametric_line<T, 3>& line) noexcept {
   return find_meeting_of_plane_line(plane, line);
 }
 
 template <Floating T>
-IRG_DOOR plane_line_meeting<point<T, 3>> meeting_of_plane_line(const point<T, 3>& p, const point<T, 3>& q,
-                                                               const point<T, 3>& r, const point<T, 3>& a,
-                                                               const point<T, 3>& b) noexcept {
+IRG_API plane_line_meeting<point<T, 3>> meeting_of_plane_line(const point<T, 3>& p, const point<T, 3>& q,
+                                                              const point<T, 3>& r, const point<T, 3>& a,
+                                                              const point<T, 3>& b) noexcept {
   return find_meeting_of_plane_line(p, q, r, a, b);
 }
 
 template <Floating T>
-IRG_DOOR parametric_meeting<T> meeting_of_plane_line(const parametric_plane<T>& plane,
-                                                     const parametric_line<T, 3>& line) noexcept {
+IRG_API parametric_meeting<T> meeting_of_plane_line(const parametric_plane<T>& plane,
+                                                    const parametric_line<T, 3>& line) noexcept {
   return find_meeting_of_plane_line(plane, line);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

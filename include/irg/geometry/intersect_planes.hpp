@@ -35,15 +35,15 @@ struct three_planes_meeting {
   bool operator==(const three_planes_meeting&) const = default;
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR planes_meeting<T> meeting_of_planes(const plane<T>& first, const plane<T>& second) noexcept;
+IRG_API planes_meeting<T> meeting_of_planes(const plane<T>& first, const plane<T>& second) noexcept;
 template <Floating T>
-IRG_DOOR three_planes_meeting<T> meeting_of_planes(const plane<T>& first, const plane<T>& second,
-                                                   const plane<T>& third) noexcept;
+IRG_API three_planes_meeting<T> meeting_of_planes(const plane<T>& first, const plane<T>& second,
+                                                  const plane<T>& third) noexcept;
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -140,18 +140,18 @@ template <Plane L>
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR planes_meeting<T> meeting_of_planes(const plane<T>& first, const plane<T>& second) noexcept {
+IRG_API planes_meeting<T> meeting_of_planes(const plane<T>& first, const plane<T>& second) noexcept {
   return find_meeting_of_planes(first, second);
 }
 
 template <Floating T>
-IRG_DOOR three_planes_meeting<T> meeting_of_planes(const plane<T>& first, const plane<T>& second,
-                                                   const plane<T>& third) noexcept {
+IRG_API three_planes_meeting<T> meeting_of_planes(const plane<T>& first, const plane<T>& second,
+                                                  const plane<T>& third) noexcept {
   return find_meeting_of_planes(first, second, third);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

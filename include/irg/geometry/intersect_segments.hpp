@@ -27,13 +27,13 @@ struct segments_meeting {
   }
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR segments_meeting<point<T, N>> meeting_of_segments(const point<T, N>& a, const point<T, N>& b,
-                                                           const point<T, N>& c, const point<T, N>& d) noexcept;
+IRG_API segments_meeting<point<T, N>> meeting_of_segments(const point<T, N>& a, const point<T, N>& b,
+                                                          const point<T, N>& c, const point<T, N>& d) noexcept;
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -102,13 +102,13 @@ template <Point P>
   requires(Scalar<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr auto intersect_segments(const P& a, const P& b, const P& c, const P& d) noexcept
     -> segments_meeting<detail::meeting_point<P>> {
-  if constexpr (detail::DoorNumber<scalar_of<P>>) {
+  if constexpr (detail::CompiledNumber<scalar_of<P>>) {
     if constexpr (size_of<P> == 2 && !IRG_BODIES) {  // what is told in less time than a call takes
       if (!is_finite(a, b, c, d)) return {};
       if (detail::on_one_side(a, b, c, d) || detail::on_one_side(c, d, a, b)) return {};
     }
-    const auto m = detail::meeting_of_segments(detail::door_point(a), detail::door_point(b), detail::door_point(c),
-                                               detail::door_point(d));
+    const auto m = detail::meeting_of_segments(detail::library_point(a), detail::library_point(b),
+                                               detail::library_point(c), detail::library_point(d));
     using M = detail::meeting_point<P>;
     return {m.relation, detail::own_point<M>(m.first), detail::own_point<M>(m.last), m.t, m.s};
   } else {
@@ -128,13 +128,13 @@ IRG_REFUSES_VECTORS(intersect_segments);
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR segments_meeting<point<T, N>> meeting_of_segments(const point<T, N>& a, const point<T, N>& b,
-                                                           const point<T, N>& c, const point<T, N>& d) noexcept {
+IRG_API segments_meeting<point<T, N>> meeting_of_segments(const point<T, N>& a, const point<T, N>& b,
+                                                          const point<T, N>& c, const point<T, N>& d) noexcept {
   return find_meeting_of_segments(a, b, c, d);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

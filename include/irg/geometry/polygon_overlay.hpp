@@ -100,14 +100,14 @@ constexpr bool add_ring(std::vector<boundary_piece<T>>& pieces, const R& ring, i
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 // What the pieces of two polygons' boundaries, which it uses up, come to.
 template <Floating T>
-IRG_DOOR clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
-                                         fill_rule rule);
+IRG_API clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
+                                        fill_rule rule);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 inline namespace IRG_ABI {
@@ -359,11 +359,11 @@ constexpr std::vector<std::vector<point<T, 2>>> rings_of(std::vector<std::pair<p
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
-                                         fill_rule rule) {
+IRG_API clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
+                                        fill_rule rule) {
   merge_pieces(pieces);
   // As a rule one round of cuts and one that finds none. Where edges lie within an ulp of each other over a long way,
   // bent edges cross anew; from the fourth round on they bend to what is an ulp of the largest coordinate away.
@@ -397,5 +397,5 @@ IRG_DOOR clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces,
   return {polygon_clip_status::ok, rings_of(ways), counts};
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -66,19 +66,19 @@ struct close_ball {
   }
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 // Takes p, which is outside of the ball, in; those points that the new ball does not rest on are forgotten.
 template <Floating T, int N>
-IRG_DOOR void grow_ball(ball_points<T, N>& ball, const point<T, N>& p) noexcept;
+IRG_API void grow_ball(ball_points<T, N>& ball, const point<T, N>& p) noexcept;
 template <Floating T, int N>
-IRG_DOOR bool is_outside_ball(const ball_points<T, N>& ball, const point<T, N>& p) noexcept;
+IRG_API bool is_outside_ball(const ball_points<T, N>& ball, const point<T, N>& p) noexcept;
 template <Floating T, int N>
-IRG_DOOR close_ball<N> close_ball_of(const ball_points<T, N>& ball) noexcept;
+IRG_API close_ball<N> close_ball_of(const ball_points<T, N>& ball) noexcept;
 template <Floating T, int N>
-IRG_DOOR bounding_sphere<T, N> rounded_ball_of(const ball_points<T, N>& ball) noexcept;
+IRG_API bounding_sphere<T, N> rounded_ball_of(const ball_points<T, N>& ball) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -130,7 +130,7 @@ template <PolygonRing R>
     const R& points) noexcept {
   using T = ring_scalar<R>;
   constexpr int N = size_of<ring_point<R>>;
-  const auto at = [&](std::size_t i) { return detail::door_point(ring_vertex(points, i)); };
+  const auto at = [&](std::size_t i) { return detail::library_point(ring_vertex(points, i)); };
   if (ring_size(points) == 0) return std::nullopt;
   for (std::size_t i = 0; i < ring_size(points); ++i)
     for (int k = 0; k < N; ++k)
@@ -233,10 +233,10 @@ constexpr ball_support<N> support_around(const ball_points<T, N>& ball, std::siz
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR void grow_ball(ball_points<T, N>& ball, const point<T, N>& p) noexcept {
+IRG_API void grow_ball(ball_points<T, N>& ball, const point<T, N>& p) noexcept {
   ball.points[ball.size++] = p;
   const ball_support<N> s = support_around(ball, ball.size, {});
   ball_points<T, N> kept;
@@ -245,14 +245,14 @@ IRG_DOOR void grow_ball(ball_points<T, N>& ball, const point<T, N>& p) noexcept 
 }
 
 template <Floating T, int N>
-IRG_DOOR bool is_outside_ball(const ball_points<T, N>& ball, const point<T, N>& p) noexcept {
+IRG_API bool is_outside_ball(const ball_points<T, N>& ball, const point<T, N>& p) noexcept {
   ball_support<N> all;
   for (; all.count < ball.size; ++all.count) all.at[all.count] = all.count;
   return is_outside_of(ball, all, p);
 }
 
 template <Floating T, int N>
-IRG_DOOR close_ball<N> close_ball_of(const ball_points<T, N>& ball) noexcept {
+IRG_API close_ball<N> close_ball_of(const ball_points<T, N>& ball) noexcept {
   const auto& p = ball.points;
   if (ball.size == 2) return close_ball_on(p[0], p[1]);
   if (ball.size == 3) return close_ball_on(p[0], p[1], p[2]);
@@ -262,7 +262,7 @@ IRG_DOOR close_ball<N> close_ball_of(const ball_points<T, N>& ball) noexcept {
 }
 
 template <Floating T, int N>
-IRG_DOOR bounding_sphere<T, N> rounded_ball_of(const ball_points<T, N>& ball) noexcept {
+IRG_API bounding_sphere<T, N> rounded_ball_of(const ball_points<T, N>& ball) noexcept {
   const auto& p = ball.points;
   if (ball.size == 2) return *sphere_on(p[0], p[1]);
   if (ball.size == 3) return *sphere_on(p[0], p[1], p[2]);
@@ -271,6 +271,6 @@ IRG_DOOR bounding_sphere<T, N> rounded_ball_of(const ball_points<T, N>& ball) no
   return {p[0], T(0)};
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

@@ -72,18 +72,18 @@ IRG_REFUSES_VECTORS(sphere_through);
 
 }  // namespace irg::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b) noexcept;
+IRG_API std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b) noexcept;
 template <Floating T, int N>
-IRG_DOOR std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b,
-                                                        const point<T, N>& c) noexcept;
+IRG_API std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b,
+                                                       const point<T, N>& c) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<bounding_sphere<T, 3>> sphere_on(const point<T, 3>& a, const point<T, 3>& b,
-                                                        const point<T, 3>& c, const point<T, 3>& d) noexcept;
+IRG_API std::optional<bounding_sphere<T, 3>> sphere_on(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
+                                                       const point<T, 3>& d) noexcept;
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -138,14 +138,14 @@ template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_through(const P& a,
                                                                                                 const P& b) noexcept {
-  return detail::sphere_on(detail::door_point(a), detail::door_point(b));
+  return detail::sphere_on(detail::library_point(a), detail::library_point(b));
 }
 
 template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_through(const P& a, const P& b,
                                                                                                 const P& c) noexcept {
-  return detail::sphere_on(detail::door_point(a), detail::door_point(b), detail::door_point(c));
+  return detail::sphere_on(detail::library_point(a), detail::library_point(b), detail::library_point(c));
 }
 
 template <Point P>
@@ -153,7 +153,8 @@ template <Point P>
 [[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, 3>> sphere_through(const P& a, const P& b,
                                                                                        const P& c,
                                                                                        const P& d) noexcept {
-  return detail::sphere_on(detail::door_point(a), detail::door_point(b), detail::door_point(c), detail::door_point(d));
+  return detail::sphere_on(detail::library_point(a), detail::library_point(b), detail::library_point(c),
+                           detail::library_point(d));
 }
 
 template <Floating T, int N>
@@ -217,22 +218,22 @@ constexpr auto sphere_of(const P& a, const More&... more) noexcept {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
-IRG_DOOR std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b) noexcept {
+IRG_API std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b) noexcept {
   return sphere_of(a, b);
 }
 template <Floating T, int N>
-IRG_DOOR std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b,
-                                                        const point<T, N>& c) noexcept {
+IRG_API std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b,
+                                                       const point<T, N>& c) noexcept {
   return sphere_of(a, b, c);
 }
 template <Floating T>
-IRG_DOOR std::optional<bounding_sphere<T, 3>> sphere_on(const point<T, 3>& a, const point<T, 3>& b,
-                                                        const point<T, 3>& c, const point<T, 3>& d) noexcept {
+IRG_API std::optional<bounding_sphere<T, 3>> sphere_on(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
+                                                       const point<T, 3>& d) noexcept {
   return sphere_of(a, b, c, d);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

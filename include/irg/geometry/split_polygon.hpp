@@ -14,7 +14,7 @@
 #include <irg/core/is_finite.hpp>
 #include <irg/core/plane_concept.hpp>
 #include <irg/geometry/attributed_point.hpp>
-#include <irg/geometry/detail/door_numbers.hpp>
+#include <irg/geometry/detail/compiled_numbers.hpp>
 #include <irg/geometry/detail/half_space.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/flat_ring.hpp>
@@ -108,13 +108,13 @@ struct split_plan {
   std::vector<std::vector<std::uint32_t>> front{}, back{};
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T, int D>
-IRG_DOOR split_plan<T, D> plan_of_split(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
-                                        const half_space<T, D>& boundary);
+IRG_API split_plan<T, D> plan_of_split(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
+                                       const half_space<T, D>& boundary);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -422,13 +422,13 @@ template <VertexRing R, class F>
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int D>
-IRG_DOOR split_plan<T, D> plan_of_split(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
-                                        const half_space<T, D>& boundary) {
+IRG_API split_plan<T, D> plan_of_split(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
+                                       const half_space<T, D>& boundary) {
   return make_split_plan(ring, sides, boundary);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

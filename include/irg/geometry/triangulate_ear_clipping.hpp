@@ -58,14 +58,14 @@ template <PlaneRing R>
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // The triangles of the ring in memory.points, which does not turn one way all along.
 template <Floating T>
-IRG_DOOR bool clip_ears(ear_clipping_memory<T>& memory, std::size_t tests_per_vertex,
-                        const function_ref<void(std::uint32_t, std::uint32_t, std::uint32_t)>& sink);
+IRG_API bool clip_ears(ear_clipping_memory<T>& memory, std::size_t tests_per_vertex,
+                       const function_ref<void(std::uint32_t, std::uint32_t, std::uint32_t)>& sink);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -234,13 +234,13 @@ template <PlaneRing R>
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR bool clip_ears(ear_clipping_memory<T>& memory, std::size_t tests_per_vertex,
-                        const function_ref<void(std::uint32_t, std::uint32_t, std::uint32_t)>& sink) {
+IRG_API bool clip_ears(ear_clipping_memory<T>& memory, std::size_t tests_per_vertex,
+                       const function_ref<void(std::uint32_t, std::uint32_t, std::uint32_t)>& sink) {
   return ear_clipper<T>(memory, tests_per_vertex)(sink);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

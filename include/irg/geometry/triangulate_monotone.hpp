@@ -14,7 +14,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/vocabulary.hpp>
 #include <irg/geometry/detail/crossing_search.hpp>
-#include <irg/geometry/detail/door_numbers.hpp>
+#include <irg/geometry/detail/compiled_numbers.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/detail/sweep_order.hpp>
 #include <irg/geometry/orient2d.hpp>
@@ -65,14 +65,14 @@ template <PlanePolygon P>
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // The triangles of rings, one after another, of so many points each.
 // needs   finite points
 template <Floating T>
-IRG_DOOR triangulation triangulate_rings(std::vector<point<T, 2>>&& points, std::span<const std::uint32_t> sizes);
+IRG_API triangulation triangulate_rings(std::vector<point<T, 2>>&& points, std::span<const std::uint32_t> sizes);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -448,7 +448,7 @@ template <PlanePolygon P>
 [[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon) {
   if (!irg::is_finite(polygon)) return {triangulation_status::not_finite, {}};
   using T = scalar_of<polygon_point<P>>;
-  using N = typename detail::door_number_or<T>::type;
+  using N = typename detail::library_number_or<T>::type;
   std::vector<point<N, 2>> points;
   std::vector<std::uint32_t> sizes;
   detail::each_ring(polygon, [&](const auto& ring) {
@@ -468,12 +468,12 @@ template <PlanePolygon P>
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR triangulation triangulate_rings(std::vector<point<T, 2>>&& points, std::span<const std::uint32_t> sizes) {
+IRG_API triangulation triangulate_rings(std::vector<point<T, 2>>&& points, std::span<const std::uint32_t> sizes) {
   return sweep_rings(std::move(points), sizes);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

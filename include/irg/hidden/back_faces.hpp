@@ -42,15 +42,15 @@ struct mesh_face_ring {
   }
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR facing facing_in_mesh(const mesh<T>& m, std::size_t f, const hpoint<T, 3>& eye) noexcept;
+IRG_API facing facing_in_mesh(const mesh<T>& m, std::size_t f, const hpoint<T, 3>& eye) noexcept;
 template <Floating T>
-IRG_DOOR std::vector<std::uint32_t> front_faces_of_mesh(const mesh<T>& m, const hpoint<T, 3>& eye,
-                                                        edge_on_faces edge_on);
+IRG_API std::vector<std::uint32_t> front_faces_of_mesh(const mesh<T>& m, const hpoint<T, 3>& eye,
+                                                       edge_on_faces edge_on);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 inline namespace IRG_ABI {
@@ -137,21 +137,21 @@ IRG_RENAMED(side_of_face, facing_of)
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR facing facing_in_mesh(const mesh<T>& m, std::size_t f, const hpoint<T, 3>& eye) noexcept {
+IRG_API facing facing_in_mesh(const mesh<T>& m, std::size_t f, const hpoint<T, 3>& eye) noexcept {
   return static_cast<facing>(static_cast<int>(side_of_polygon(mesh_face_ring<mesh<T>>{&m, f}, eye)));
 }
 
 template <Floating T>
-IRG_DOOR std::vector<std::uint32_t> front_faces_of_mesh(const mesh<T>& m, const hpoint<T, 3>& eye,
-                                                        edge_on_faces edge_on) {
+IRG_API std::vector<std::uint32_t> front_faces_of_mesh(const mesh<T>& m, const hpoint<T, 3>& eye,
+                                                       edge_on_faces edge_on) {
   std::vector<std::uint32_t> left;
   for (std::size_t f = 0; f < m.face_count(); ++f)
     if (!is_hidden(facing_in_mesh(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
   return left;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

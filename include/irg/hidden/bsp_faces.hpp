@@ -56,17 +56,17 @@ struct bsp_of_faces {
   bsp_of_faces& operator=(bsp_of_faces&&) = default;
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <DepthOrder Order>
-IRG_DOOR bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_window& window);
+IRG_API bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_window& window);
 template <DepthOrder Order>
-IRG_DOOR void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree);
+IRG_API void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree);
 template <DepthOrder Order>
-IRG_DOOR void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                             draw_counts& counts);
+IRG_API void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                            draw_counts& counts);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -429,10 +429,10 @@ constexpr void draw_by_trees(const std::vector<window_face>& list, const cell_wi
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <DepthOrder Order>
-IRG_DOOR bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_window& window) {
+IRG_API bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_window& window) {
   leave_out_repeated<Order>(list);
   bsp_of_faces tree;
   tree.faces = std::move(list);
@@ -449,7 +449,7 @@ IRG_DOOR bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_w
 }
 
 template <DepthOrder Order>
-IRG_DOOR void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
+IRG_API void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
   walk_bsp(tree, bsp_order::back_to_front, [&](const bsp_of_faces::node& n) {
     covered_spans(n.part.face->coverage, n.box, [&](const span_of_cells& s) {
       for (int x = s.x_first; x < s.x_last; ++x)
@@ -459,8 +459,8 @@ IRG_DOOR void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
 }
 
 template <DepthOrder Order>
-IRG_DOOR void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                             draw_counts& counts) {
+IRG_API void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                            draw_counts& counts) {
   leave_out_repeated<Order>(list);
   std::vector<window_face> all;
   all.reserve(list.size());
@@ -468,5 +468,5 @@ IRG_DOOR void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>
   draw_by_trees<Order>(all, window, ids, counts);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

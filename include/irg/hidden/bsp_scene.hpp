@@ -51,19 +51,19 @@ struct pieces_on_screen {
   std::vector<plane_on_screen> of_node{}, of_triangle{};
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const point<T, 3>& eye, const mat<T, 4, 4>& to_clip,
-                                       const screen_mapping<T>& mapping);
+IRG_API pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const point<T, 3>& eye, const mat<T, 4, 4>& to_clip,
+                                      const screen_mapping<T>& mapping);
 template <Floating T>
-IRG_DOOR pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const vec<T, 3>& to_eye, const mat<T, 4, 4>& to_clip,
-                                       const screen_mapping<T>& mapping);
+IRG_API pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const vec<T, 3>& to_eye, const mat<T, 4, 4>& to_clip,
+                                      const screen_mapping<T>& mapping);
 template <Floating T, class Faces>
-IRG_DOOR void paint_pieces(const bsp_data_3d<T>& d, const pieces_on_screen& p, const Faces& faces,
-                           const cell_window& window, image<std::uint32_t>& ids, draw_counts& counts);
+IRG_API void paint_pieces(const bsp_data_3d<T>& d, const pieces_on_screen& p, const Faces& faces,
+                          const cell_window& window, image<std::uint32_t>& ids, draw_counts& counts);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 /// A hidden-surface method for one eye: the pieces of a tree in their order from back to front.
@@ -229,23 +229,23 @@ struct piece_painter {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const point<T, 3>& eye, const mat<T, 4, 4>& to_clip,
-                                       const screen_mapping<T>& mapping) {
+IRG_API pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const point<T, 3>& eye, const mat<T, 4, 4>& to_clip,
+                                      const screen_mapping<T>& mapping) {
   return pieces_seen_from(tree, eye, to_clip, mapping);
 }
 
 template <Floating T>
-IRG_DOOR pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const vec<T, 3>& to_eye, const mat<T, 4, 4>& to_clip,
-                                       const screen_mapping<T>& mapping) {
+IRG_API pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const vec<T, 3>& to_eye, const mat<T, 4, 4>& to_clip,
+                                      const screen_mapping<T>& mapping) {
   return pieces_seen_from(tree, to_eye, to_clip, mapping);
 }
 
 template <Floating T, class Faces>
-IRG_DOOR void paint_pieces(const bsp_data_3d<T>& d, const pieces_on_screen& p, const Faces& faces,
-                           const cell_window& window, image<std::uint32_t>& ids, draw_counts& counts) {
+IRG_API void paint_pieces(const bsp_data_3d<T>& d, const pieces_on_screen& p, const Faces& faces,
+                          const cell_window& window, image<std::uint32_t>& ids, draw_counts& counts) {
   struct part {
     std::uint32_t rank, limits, face;
   };
@@ -263,5 +263,5 @@ IRG_DOOR void paint_pieces(const bsp_data_3d<T>& d, const pieces_on_screen& p, c
   counts.tested += static_cast<std::int64_t>(parts.size());
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -44,14 +44,14 @@ inline constexpr cube_side cube_sides[6] = {{1, -1, 2, 0, 1},  {1, 1, 2, 0, -1},
 
 }  // namespace detail::inline IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void send_sides(const point<T, 3>& eye, const mesh<T>& m,
-                         const function_ref<void(std::size_t, const std::vector<screen_face>&)>& sink,
-                         const cube_options<T>& options);
+IRG_API void send_sides(const point<T, 3>& eye, const mesh<T>& m,
+                        const function_ref<void(std::size_t, const std::vector<screen_face>&)>& sink,
+                        const cube_options<T>& options);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -145,12 +145,12 @@ constexpr std::vector<screen_face> faces_of_side(const mesh<T>& around, std::spa
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void send_sides(const point<T, 3>& eye, const mesh<T>& m,
-                         const function_ref<void(std::size_t, const std::vector<screen_face>&)>& sink,
-                         const cube_options<T>& options) {
+IRG_API void send_sides(const point<T, 3>& eye, const mesh<T>& m,
+                        const function_ref<void(std::size_t, const std::vector<screen_face>&)>& sink,
+                        const cube_options<T>& options) {
   IRG_EXPECTS(1 <= options.size && options.size <= 4096 && T(0) < options.near_distance);
   mesh<T> triangles = triangulated(m);
   for (point<T, 3>& p : triangles.positions) p = {p.x - eye.x, p.y - eye.y, p.z - eye.z};
@@ -160,6 +160,6 @@ IRG_DOOR void send_sides(const point<T, 3>& eye, const mesh<T>& m,
   for (std::size_t i = 0; i < 6; ++i) sink(i, faces_of_side<T>(triangles, numbers, cube_sides[i], options));
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

@@ -73,13 +73,13 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Counts>
-IRG_DOOR checked<Counts, grid_surface_status> send_grid_edges(const grid_surface& surface, const point<double, 3>& eye,
-                                                              const function_ref<void(grid_edge_part)>& sink);
+IRG_API checked<Counts, grid_surface_status> send_grid_edges(const grid_surface& surface, const point<double, 3>& eye,
+                                                             const function_ref<void(grid_edge_part)>& sink);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -210,11 +210,11 @@ constexpr int surface_over_eye(const Sight& s, const grid_covering& c) noexcept 
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Counts>
-IRG_DOOR checked<Counts, grid_surface_status> send_grid_edges(const grid_surface& surface, const point<double, 3>& eye,
-                                                              const function_ref<void(grid_edge_part)>& sink) {
+IRG_API checked<Counts, grid_surface_status> send_grid_edges(const grid_surface& surface, const point<double, 3>& eye,
+                                                             const function_ref<void(grid_edge_part)>& sink) {
   Counts counts;
   if (!is_grid(surface) || !is_finite(eye)) return {counts, grid_surface_status::not_a_grid};
   const grid_sight<double> sight{surface.x, surface.z, surface.heights, eye};
@@ -270,5 +270,5 @@ IRG_DOOR checked<Counts, grid_surface_status> send_grid_edges(const grid_surface
   return {counts, grid_surface_status::ok};
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

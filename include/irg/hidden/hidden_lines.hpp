@@ -81,13 +81,13 @@ template <class Edge>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Counts, int Sense, class Faces, class Edges>
-IRG_DOOR Counts send_edge_parts(const Faces& faces, const Edges& edges, const function_ref<void(edge_part)>& sink,
-                                face_search search);
+IRG_API Counts send_edge_parts(const Faces& faces, const Edges& edges, const function_ref<void(edge_part)>& sink,
+                               face_search search);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -534,11 +534,11 @@ private:
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Counts, int Sense, class Faces, class Edges>
-IRG_DOOR Counts send_edge_parts(const Faces& faces, const Edges& edges, const function_ref<void(edge_part)>& sink,
-                                face_search search) {
+IRG_API Counts send_edge_parts(const Faces& faces, const Edges& edges, const function_ref<void(edge_part)>& sink,
+                               face_search search) {
   hidden_part_finder<Sense, Faces> finder(faces, edges, search);
   Counts counts;
   counts.faces = finder.count();
@@ -578,5 +578,5 @@ IRG_DOOR Counts send_edge_parts(const Faces& faces, const Edges& edges, const fu
   return counts;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

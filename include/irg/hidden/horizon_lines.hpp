@@ -52,13 +52,13 @@ constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> p
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Counts>
-IRG_DOOR Counts send_curves(std::span<const point<double, 2>> points, const function_ref<void(edge_part)>& sink,
-                            drawn_parts which);
+IRG_API Counts send_curves(std::span<const point<double, 2>> points, const function_ref<void(edge_part)>& sink,
+                           drawn_parts which);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -206,11 +206,11 @@ struct line_horizons {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Counts>
-IRG_DOOR Counts send_curves(std::span<const point<double, 2>> points, const function_ref<void(edge_part)>& sink,
-                            drawn_parts which) {
+IRG_API Counts send_curves(std::span<const point<double, 2>> points, const function_ref<void(edge_part)>& sink,
+                           drawn_parts which) {
   const curve_sight<double> sight{points};
   line_horizons<curve_sight<double>> horizons{sight};
   Counts counts;
@@ -234,5 +234,5 @@ IRG_DOOR Counts send_curves(std::span<const point<double, 2>> points, const func
   return counts;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

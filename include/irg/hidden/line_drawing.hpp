@@ -62,7 +62,7 @@ struct line_drawing {
   bool operator==(const line_drawing&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Adds a mesh to a line drawing: its faces, as the renderer has them, and its edges, each once.
 /// shape   edges from the lower vertex to the higher, in the order of these; polygons are cut into triangles by
@@ -76,17 +76,17 @@ inline namespace IRG_DOORS {
 /// exact   sides are those of the snapped corners; the angle of a crease is that of rounded unit normals
 /// cost    n log n in the edges at a vertex; allocates
 template <Floating T>
-IRG_DOOR void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
-                       const screen_mapping<T>& mapping, const line_drawing_options<T>& options = {});
+IRG_API void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
+                      const screen_mapping<T>& mapping, const line_drawing_options<T>& options = {});
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Drawing>
-IRG_DOOR void leave_out_beside_edges(Drawing& drawing);
+IRG_API void leave_out_beside_edges(Drawing& drawing);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -280,10 +280,10 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Drawing>
-IRG_DOOR void leave_out_beside_edges(Drawing& drawing) {
+IRG_API void leave_out_beside_edges(Drawing& drawing) {
   if (drawing.edges.empty()) return drawing.faces.clear();
   const auto box_of_edge = [](const screen_edge& e) { return box_of({e.v[0].position, e.v[1].position}); };
   screen_box edges = box_of_edge(drawing.edges[0]);
@@ -291,15 +291,15 @@ IRG_DOOR void leave_out_beside_edges(Drawing& drawing) {
   std::erase_if(drawing.faces, [&](const screen_face& f) { return !boxes_meet(box_of_corners(f), edges); });
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
-                       const screen_mapping<T>& mapping, const line_drawing_options<T>& options) {
+IRG_API void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
+                      const screen_mapping<T>& mapping, const line_drawing_options<T>& options) {
   detail::drawn_mesh<T>(m, to_clip, mapping, options).add_to(drawing);
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -32,13 +32,13 @@ struct painter_by_centroid_rounded {
                                       draw_counts& counts) const;
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <DepthOrder Order>
-IRG_DOOR void paint_by_centroid(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                                draw_counts& counts);
+IRG_API void paint_by_centroid(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                               draw_counts& counts);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 template <DepthOrder Order>
 template <class Faces>
@@ -51,11 +51,11 @@ constexpr void painter_by_centroid_rounded<Order>::operator()(const Faces& faces
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <DepthOrder Order>
-IRG_DOOR void paint_by_centroid(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                                draw_counts& counts) {
+IRG_API void paint_by_centroid(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                               draw_counts& counts) {
   leave_out_repeated<Order>(list);
   const auto depth = [](const screen_face& f) {
     return static_cast<float>((widened(f.v[0].depth) + widened(f.v[1].depth)) + widened(f.v[2].depth));
@@ -71,5 +71,5 @@ IRG_DOOR void paint_by_centroid(image<std::uint32_t>& ids, std::vector<screen_fa
     });
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -66,13 +66,13 @@ struct painter_newell : exact_method {
   }
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Counts, DepthOrder Order, class Observer>
-IRG_DOOR Counts paint_sorted(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                             Observer& observer);
+IRG_API Counts paint_sorted(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                            Observer& observer);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -422,16 +422,16 @@ struct newell_painter {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Counts, DepthOrder Order, class Observer>
-IRG_DOOR Counts paint_sorted(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                             Observer& observer) {
+IRG_API Counts paint_sorted(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                            Observer& observer) {
   leave_out_repeated<Order>(list);
   newell_painter<Order, Observer> painter{ids, observer};
   painter.paint(sorted_by_depth<Order>(list), window);
   return painter.counts;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

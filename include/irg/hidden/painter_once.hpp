@@ -25,13 +25,13 @@ struct painter_once : exact_method {
                                       draw_counts& counts) const;
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <DepthOrder Order>
-IRG_DOOR void paint_each_once(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                              draw_counts& counts);
+IRG_API void paint_each_once(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                             draw_counts& counts);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 template <DepthOrder Order>
 template <class Faces>
@@ -61,11 +61,11 @@ constexpr const screen_face* face_of_number(const std::vector<screen_face>& list
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <DepthOrder Order>
-IRG_DOOR void paint_each_once(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                              draw_counts& counts) {
+IRG_API void paint_each_once(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                             draw_counts& counts) {
   leave_out_repeated<Order>(list);
   const auto by_number = [](const screen_face& a, const screen_face& b) { return a.number < b.number; };
   if (!std::is_sorted(list.begin(), list.end(), by_number)) std::sort(list.begin(), list.end(), by_number);
@@ -82,6 +82,6 @@ IRG_DOOR void paint_each_once(image<std::uint32_t>& ids, std::vector<screen_face
     });
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

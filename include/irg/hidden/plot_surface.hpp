@@ -61,12 +61,12 @@ constexpr void draw_plot(R& raster, const surface_plot& plot, const plot_colours
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Plot, class Options>
-IRG_DOOR checked<Plot, grid_surface_status> plot_of(const grid_surface& surface, const Options& options);
+IRG_API checked<Plot, grid_surface_status> plot_of(const grid_surface& surface, const Options& options);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -376,10 +376,10 @@ constexpr bool is_grid_with_gaps(const Surface& s) {
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Plot, class Options>
-IRG_DOOR checked<Plot, grid_surface_status> plot_of(const grid_surface& surface, const Options& options) {
+IRG_API checked<Plot, grid_surface_status> plot_of(const grid_surface& surface, const Options& options) {
   checked<Plot, grid_surface_status> plot{{}, grid_surface_status::not_a_grid};
   const auto is_positive = [](double v) { return v > 0x1p-20 && v < 0x1p20; };
   const bool usable = options.width > 0 && options.height > 0 && is_positive(options.distance) &&
@@ -405,5 +405,5 @@ IRG_DOOR checked<Plot, grid_surface_status> plot_of(const grid_surface& surface,
   return plot;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

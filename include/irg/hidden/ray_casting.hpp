@@ -57,14 +57,14 @@ constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_w
 
 }  // namespace detail::inline IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 // Methods take lists that copied_faces has made, from which they may leave out what is not seen.
 template <DepthOrder Order>
-IRG_DOOR void cast_rays(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                        draw_counts& counts);
+IRG_API void cast_rays(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                       draw_counts& counts);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 template <DepthOrder Order>
 template <class Faces>
@@ -127,11 +127,11 @@ constexpr void leave_out_repeated(std::vector<screen_face>& list) {
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <DepthOrder Order>
-IRG_DOOR void cast_rays(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                        draw_counts& counts) {
+IRG_API void cast_rays(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                       draw_counts& counts) {
   leave_out_repeated<Order>(list);
   for (int y = window.y_first; y < window.y_last; ++y)
     for (int x = window.x_first; x < window.x_last; ++x) {
@@ -146,6 +146,6 @@ IRG_DOOR void cast_rays(image<std::uint32_t>& ids, std::vector<screen_face>& lis
     }
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

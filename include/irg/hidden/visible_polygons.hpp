@@ -73,12 +73,12 @@ template <DepthOrder Order = nearer_is_greater, class Faces>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Map, int Sense, class Faces>
-IRG_DOOR Map map_of_window(const Faces& faces, const cell_window& window);
+IRG_API Map map_of_window(const Faces& faces, const cell_window& window);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -245,10 +245,10 @@ constexpr void link_outlines(const std::vector<Step>& steps, visible_polygon_map
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Map, int Sense, class Faces>
-IRG_DOOR Map map_of_window(const Faces& faces, const cell_window& window) {
+IRG_API Map map_of_window(const Faces& faces, const cell_window& window) {
   Map map;
   if (window.empty()) return map;
   std::vector<hiding_face> hiding;
@@ -279,5 +279,5 @@ IRG_DOOR Map map_of_window(const Faces& faces, const cell_window& window) {
   return map;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -86,13 +86,13 @@ struct warnock : exact_method {
   }
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Counts, DepthOrder Order, class Observer>
-IRG_DOOR Counts divide_windows(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                               Observer& observer);
+IRG_API Counts divide_windows(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                              Observer& observer);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -339,14 +339,14 @@ struct warnock_division {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Counts, DepthOrder Order, class Observer>
-IRG_DOOR Counts divide_windows(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
-                               Observer& observer) {
+IRG_API Counts divide_windows(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                              Observer& observer) {
   leave_out_repeated<Order>(list);
   return warnock_division<Order, Observer>{ids, observer}(list, window);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

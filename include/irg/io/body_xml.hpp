@@ -22,7 +22,7 @@
 #include <irg/math/decimal_digit.hpp>
 #endif
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// The bodies that an XML text describes, in its order.
 /// needs   the text in memory, in UTF-8; it is not kept
@@ -33,7 +33,7 @@ namespace irg::inline IRG_DOORS {
 /// cost    linear; no recursion; memory at most 64 times the text and 1 MiB
 /// source  XML 1.0; Hank n.d., 3.1 (what is stored; it prints no schema, this one is irg's own)
 template <Floating T = double>
-[[nodiscard]] IRG_DOOR result<std::vector<stored_body<T>>> read_body_xml(std::string_view text);
+[[nodiscard]] IRG_API result<std::vector<stored_body<T>>> read_body_xml(std::string_view text);
 
 /// The bytes of an XML file that describes the bodies, in UTF-8.
 /// gives   an error when a body's mesh does not pass validate(), an edge or a face names what does not exist, a share
@@ -42,10 +42,10 @@ template <Floating T = double>
 /// cost    linear
 /// source  XML 1.0
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
     std::span<const stored_body<T>> bodies);
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -360,10 +360,10 @@ constexpr void write_body(Bytes& out, const stored_body<T>& b) {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<stored_body<T>>> read_body_xml(std::string_view text) {
+[[nodiscard]] IRG_API result<std::vector<stored_body<T>>> read_body_xml(std::string_view text) {
   if (const auto too_long = detail::refuse_long_file(text)) return *too_long;
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return parse_error{0, 0, "text is UTF-16, but bodies are read as UTF-8"};
@@ -376,7 +376,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
     std::span<const stored_body<T>> bodies) {
   for (const stored_body<T>& b : bodies)
     if (const auto refused = detail::refuse_body(b)) return *refused;
@@ -389,5 +389,5 @@ template <Floating T>
 
 IRG_RENAMED(mesh_of_bodies, to_mesh)
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -25,15 +25,15 @@
 #endif
 #endif
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-// Constexpr in name alone where doors are: files are no affair of constant evaluation.
+// Constexpr in name alone: files are no affair of constant evaluation.
 template <class Bytes = std::string>
-IRG_DOOR result<Bytes> load_bytes(const std::string& path);
+IRG_API result<Bytes> load_bytes(const std::string& path);
 template <class Bytes>
-IRG_DOOR result<void> save_bytes(const std::string& path, const Bytes& bytes);
+IRG_API result<void> save_bytes(const std::string& path, const Bytes& bytes);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -127,10 +127,10 @@ inline bool replace_file(const char* from, const char* to) noexcept {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Bytes>
-IRG_DOOR result<Bytes> load_bytes(const std::string& path) {
+IRG_API result<Bytes> load_bytes(const std::string& path) {
   if (kind_of_file(path.c_str()) == file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
   errno = 0;
   std::FILE* const file = std::fopen(path.c_str(), "rb");
@@ -151,7 +151,7 @@ IRG_DOOR result<Bytes> load_bytes(const std::string& path) {
 }
 
 template <class Bytes>
-IRG_DOOR result<void> save_bytes(const std::string& path, const Bytes& bytes) {
+IRG_API result<void> save_bytes(const std::string& path, const Bytes& bytes) {
   const file_kind kind = kind_of_file(path.c_str());
   if (kind == file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
   if (kind == file_kind::other) {
@@ -175,5 +175,5 @@ IRG_DOOR result<void> save_bytes(const std::string& path, const Bytes& bytes) {
   return parse_error{0, 0, written ? "file cannot be replaced" : "not all bytes could be written"};
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -30,29 +30,29 @@ enum class mesh_format { obj, stl, ply, off, body_xml };
 /// The endings of their names, for messages.
 inline constexpr const char* mesh_endings = ".obj, .stl, .ply, .off or .xml";
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The format of a mesh file's bytes: XML by its first character, PLY and OFF by their first word, STL by the word
 /// solid or by the length that binary STL states in its bytes; everything else is OBJ, which has no mark of its own.
 /// gives   a format for all bytes: whether they are such a file, its reader says
 /// cost    constant, but for blanks and comments before the first word
 template <class Text = std::string_view>
-[[nodiscard]] IRG_DOOR mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept;
+[[nodiscard]] IRG_API mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept;
 
 /// The bytes of a file that describes the mesh in the given format.
 /// gives   the error of the format's writer, and one for an encoding that it does not have: OBJ, OFF and XML are text
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_mesh(
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_mesh(
     const mesh<T>& m, mesh_format format, mesh_encoding encoding = mesh_encoding::text);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format);
+IRG_API result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -136,10 +136,10 @@ write_mesh(const std::string& path, const mesh<T>& m, mesh_encoding encoding = m
 }  // namespace IRG_ABI
 
 #if IRG_BODIES
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format) {
+IRG_API result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format) {
   switch (format) {
     case mesh_format::stl: return read_stl<T>(bytes);
     case mesh_format::ply: return read_ply<T>(bytes);
@@ -154,12 +154,12 @@ IRG_DOOR result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format
   return read_obj<T>(bytes);
 }
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <class Text>
-[[nodiscard]] IRG_DOOR mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept {
+[[nodiscard]] IRG_API mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept {
   if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
   bytes = detail::without_byte_order_mark(bytes);
   if (detail::text_cursor(bytes, '\0').word() == "ply") return mesh_format::ply;
@@ -172,8 +172,8 @@ template <class Text>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_mesh(const mesh<T>& m, mesh_format format,
-                                                                                   mesh_encoding encoding) {
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_mesh(const mesh<T>& m, mesh_format format,
+                                                                                  mesh_encoding encoding) {
   if (format == mesh_format::stl) return encode_stl(m, encoding);
   if (format == mesh_format::ply) return encode_ply(m, encoding);
   if (encoding != mesh_encoding::text) return encode_error{"format has no binary form that is written"};
@@ -183,6 +183,6 @@ template <Floating T>
   return encode_body_xml(std::vector{store_body<T>("body", m)});
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 #endif
 }  // namespace irg

@@ -31,7 +31,7 @@ struct mtl_material {
   bool operator==(const mtl_material&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The materials that an MTL text describes, in its order.
 /// gives   the first error with line and column. Ka, Kd, Ks, Ns, d, Tr, map_Kd and newmtl are read, all else is passed
@@ -40,15 +40,15 @@ inline namespace IRG_DOORS {
 /// cost    linear; memory at most 64 times the text and 1 MiB
 /// source  Wavefront
 template <Floating T = double>
-[[nodiscard]] IRG_DOOR result<std::vector<mtl_material<T>>> read_mtl(std::string_view text);
+[[nodiscard]] IRG_API result<std::vector<mtl_material<T>>> read_mtl(std::string_view text);
 
 /// What the mtllib statements of an OBJ text name, each the rest of its line; nothing is opened.
 /// shape   in the order of the text, which the names are parts of
 /// cost    one pass over the text
 template <class Text = std::string_view>
-[[nodiscard]] IRG_DOOR std::vector<Text> material_libraries(std::type_identity_t<Text> obj);
+[[nodiscard]] IRG_API std::vector<Text> material_libraries(std::type_identity_t<Text> obj);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -179,10 +179,10 @@ struct mtl_reader {
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
+[[nodiscard]] IRG_API result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
   if (const auto too_long = detail::refuse_long_file(text)) return *too_long;
   text = detail::without_byte_order_mark(text);
   detail::mtl_reader<T> reader(text);
@@ -191,7 +191,7 @@ template <Floating T>
 }
 
 template <class Text>
-[[nodiscard]] IRG_DOOR std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
+[[nodiscard]] IRG_API std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
   std::vector<Text> names;
   detail::text_cursor text(detail::without_byte_order_mark(obj), '#');
   for (; text.skip_space(); text.skip_to_line_end())
@@ -200,7 +200,7 @@ template <class Text>
   return names;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 #endif
 
 }  // namespace irg

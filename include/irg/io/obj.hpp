@@ -46,19 +46,19 @@ template <Floating T = double, Executor E = sequential>
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 /// The mesh of a text, or the first error, by one reader after another.
 template <Floating T>
-IRG_DOOR result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused unused);
+IRG_API result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused unused);
 
 /// What read_obj_in_one_go gives, for every executor and any pieces.
 /// needs   bytes > 0
 template <Floating T>
-IRG_DOOR result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused unused, std::size_t bytes,
-                                            const executor_ref& executor);
+IRG_API result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused unused, std::size_t bytes,
+                                           const executor_ref& executor);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
@@ -251,10 +251,10 @@ struct obj_pieces {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused unused) {
+IRG_API result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused unused) {
   obj_counts counts;
   {
     obj_reader<T> reader(text, unused);
@@ -275,8 +275,8 @@ IRG_DOOR result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused un
 }
 
 template <Floating T>
-IRG_DOOR result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused unused, std::size_t bytes,
-                                            const executor_ref& executor) {
+IRG_API result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused unused, std::size_t bytes,
+                                           const executor_ref& executor) {
   {
     obj_pieces<T> pieces(text, unused, bytes);
     if (pieces.read(executor)) return std::move(pieces.whole.content.made);
@@ -284,7 +284,7 @@ IRG_DOOR result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused un
   return read_obj_in_one_go<T>(text, unused);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif
 
 namespace irg::inline IRG_ABI {

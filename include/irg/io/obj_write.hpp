@@ -13,7 +13,7 @@
 #include <irg/io/detail/text_writer.hpp>
 #endif
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// The bytes of an OBJ text that describes the mesh.
 /// gives   an error when the mesh does not pass validate()
@@ -23,9 +23,9 @@ namespace irg::inline IRG_DOORS {
 /// cost    linear
 /// source  Wavefront
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m);
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m);
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
@@ -63,10 +63,10 @@ constexpr void write_obj_vectors(Bytes& out, std::string_view word, const Vector
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m) {
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   std::vector<std::uint8_t> out;
   detail::write_obj_vectors<3>(out, "v", m.positions);
@@ -88,5 +88,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -24,7 +24,7 @@
 #include <irg/math/decimal_digit.hpp>
 #endif
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// The mesh that an OFF file describes.
 /// shape   its vertices' positions in order, with their normals and texture coordinates where the first word promises
@@ -36,7 +36,7 @@ namespace irg::inline IRG_DOORS {
 /// cost    linear; memory at most 64 times the file and 1 MiB, whatever its counts claim
 /// source  Geomview
 template <Floating T = double>
-[[nodiscard]] IRG_DOOR result<mesh<T>> read_off(std::string_view bytes);
+[[nodiscard]] IRG_API result<mesh<T>> read_off(std::string_view bytes);
 
 /// The bytes of an OFF file that describes the mesh, as text: OFF, NOFF, STOFF or STNOFF.
 /// shape   a vertex for each position, more where its corners differ in normal or texture coordinate; an attribute that
@@ -48,9 +48,9 @@ template <Floating T = double>
 /// cost    linear; O(n log n) where there are normals or texture coordinates
 /// source  Geomview
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m);
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m);
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace irg::detail {
@@ -302,10 +302,10 @@ struct off_reader {
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<mesh<T>> read_off(std::string_view bytes) {
+[[nodiscard]] IRG_API result<mesh<T>> read_off(std::string_view bytes) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
   const std::string_view text = detail::without_byte_order_mark(bytes);
   detail::off_reader<T> reader(text);
@@ -315,7 +315,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m) {
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   const auto v = detail::vertices_to_write(m);
   std::vector<std::uint8_t> out;
@@ -335,5 +335,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -130,17 +130,17 @@ constexpr void append_in_chunks(const Bytes& stream, const Append& append) {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 /// The rows of a picture as its chunks hold them.
 template <class Bytes>
-IRG_DOOR Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort);
+IRG_API Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort);
 
 /// The file of a picture.
 template <class Bytes>
-IRG_DOOR Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort);
+IRG_API Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
@@ -186,23 +186,23 @@ constexpr deflate_effort effort_of(png_options::compression c) noexcept {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Bytes>
-IRG_DOOR Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort) {
+IRG_API Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort) {
   const bool stored = effort == png_options::compression::stored;
   return zlib_compress(filter_rows(p, stored ? filtering::none : filtering::adaptive), effort_of(effort));
 }
 
 template <class Bytes>
-IRG_DOOR Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort) {
+IRG_API Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort) {
   Bytes file = begin_png(p);
   append_in_chunks(compress_rows(p, effort), [&](auto part) { append_chunk(file, "IDAT", part); });
   append_chunk(file, "IEND", {});
   return file;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif
 
 namespace irg::inline IRG_ABI {

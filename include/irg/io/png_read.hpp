@@ -48,13 +48,13 @@ template <std::convertible_to<std::string_view> Bytes>
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 /// The picture of a file; Bytes is what the compressed data are gathered in.
 template <class Bytes>
-IRG_DOOR result<image<rgba8>> read_png_file(std::span<const std::uint8_t> file, const png_read_options& options);
+IRG_API result<image<rgba8>> read_png_file(std::span<const std::uint8_t> file, const png_read_options& options);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace irg::detail {
@@ -378,14 +378,14 @@ private:
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <class Bytes>
-IRG_DOOR result<image<rgba8>> read_png_file(std::span<const std::uint8_t> file, const png_read_options& options) {
+IRG_API result<image<rgba8>> read_png_file(std::span<const std::uint8_t> file, const png_read_options& options) {
   return png_reader<Bytes>(file, options).read();
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif
 

@@ -77,13 +77,13 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_netpbm(char kin
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 /// The picture of a netpbm file from bytes of either type: char (what load_file gives) or std::uint8_t.
 template <class Byte>
-IRG_DOOR result<image<rgb8>> read_netpbm(std::span<const Byte> bytes);
+IRG_API result<image<rgb8>> read_netpbm(std::span<const Byte> bytes);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
@@ -223,14 +223,14 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Byte>
-IRG_DOOR result<image<rgb8>> read_netpbm(std::span<const Byte> bytes) {
+IRG_API result<image<rgb8>> read_netpbm(std::span<const Byte> bytes) {
   return netpbm_reader<Byte>(bytes).read();
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif
 
 namespace irg::inline IRG_ABI {

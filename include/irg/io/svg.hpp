@@ -27,12 +27,12 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_svg(const R& ra
 
 }  // namespace irg::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Bytes>
-IRG_DOOR Bytes encode_svg_runs(const image<rgba8>& picture);
+IRG_API Bytes encode_svg_runs(const image<rgba8>& picture);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -49,10 +49,10 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_svg(const R& ra
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Bytes>
-IRG_DOOR Bytes encode_svg_runs(const image<rgba8>& picture) {
+IRG_API Bytes encode_svg_runs(const image<rgba8>& picture) {
   const int width = width_of(picture), height = height_of(picture);
   Bytes out;
   append_all(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width, "\" height=\"", height);
@@ -71,5 +71,5 @@ IRG_DOOR Bytes encode_svg_runs(const image<rgba8>& picture) {
   return out;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

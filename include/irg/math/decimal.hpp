@@ -43,7 +43,7 @@ struct decimal_result {
 template <Floating T>
 inline constexpr int longest_decimal = sizeof(T) == 4 ? 15 : 24;
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The number nearest to the decimal text at the head of [first, last).
 /// shape   [+-] digits [. digits] [e [+-] digits], a digit before or after the point; blanks, nan, inf and hexadecimal
@@ -54,9 +54,9 @@ inline namespace IRG_DOORS {
 /// cost    15 to 50 ns for up to 19 digits, 240 ns for 120 beside the middle of two doubles; linear in the digits
 /// source  Lemire 2021 (the bounds); Clinger 1990 (the exact comparison)
 template <Floating T>
-[[nodiscard]] IRG_DOOR decimal_result<T> parse_decimal(const char* first, const char* last) noexcept;
+[[nodiscard]] IRG_API decimal_result<T> parse_decimal(const char* first, const char* last) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -117,7 +117,7 @@ template <std::integral J>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Writes the shortest decimal text that reads as `value` again: the end of that text.
 /// shape   [-] digits [. digits] [e (+|-) digits], of the fewest digits that lead back, and of those the ones nearest
@@ -129,9 +129,9 @@ inline namespace IRG_DOORS {
 /// cost    20 to 80 ns
 /// source  Giulietti 2020
 template <Floating T>
-IRG_DOOR std::optional<char*> print_decimal(char* first, char* last, T value) noexcept;
+IRG_API std::optional<char*> print_decimal(char* first, char* last, T value) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -400,10 +400,10 @@ constexpr char* write_value(char* p, T value) noexcept {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR decimal_result<T> parse_decimal(const char* first, const char* last) noexcept {
+[[nodiscard]] IRG_API decimal_result<T> parse_decimal(const char* first, const char* last) noexcept {
   const detail::decimal_text text = detail::scan_decimal(first, last);
   if (text.digits_end == nullptr) return {T{0}, first, decimal_status::none};
   using bits_type = detail::bits_of_decimal<T>;
@@ -416,7 +416,7 @@ template <Floating T>
 }
 
 template <Floating T>
-IRG_DOOR std::optional<char*> print_decimal(char* first, char* last, T value) noexcept {
+IRG_API std::optional<char*> print_decimal(char* first, char* last, T value) noexcept {
   if (last - first >= longest_decimal<T>) return detail::write_value(first, value);
   char text[longest_decimal<T>] = {};
   char* const end = detail::write_value(text, value);
@@ -425,5 +425,5 @@ IRG_DOOR std::optional<char*> print_decimal(char* first, char* last, T value) no
   return first;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -59,17 +59,17 @@ template <Floating T, int N>
 
 }  // namespace irg::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // `inverse` where cofactors will not do, and inverse_accurate.
 template <Floating T, int N>
   requires(N >= 2 && N <= 4)
-IRG_DOOR std::optional<mat<T, N, N>> hard_inverse(const mat<T, N, N>& a) noexcept;
+IRG_API std::optional<mat<T, N, N>> hard_inverse(const mat<T, N, N>& a) noexcept;
 template <Floating T, int N>
   requires(N >= 2 && N <= 4)
-IRG_DOOR std::optional<mat<T, N, N>> accurate_inverse(const mat<T, N, N>& a) noexcept;
+IRG_API std::optional<mat<T, N, N>> accurate_inverse(const mat<T, N, N>& a) noexcept;
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -395,18 +395,18 @@ template <Floating T, int N>
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int N>
   requires(N >= 2 && N <= 4)
-IRG_DOOR std::optional<mat<T, N, N>> hard_inverse(const mat<T, N, N>& a) noexcept {
+IRG_API std::optional<mat<T, N, N>> hard_inverse(const mat<T, N, N>& a) noexcept {
   return inverse_by_elimination(a);
 }
 template <Floating T, int N>
   requires(N >= 2 && N <= 4)
-IRG_DOOR std::optional<mat<T, N, N>> accurate_inverse(const mat<T, N, N>& a) noexcept {
+IRG_API std::optional<mat<T, N, N>> accurate_inverse(const mat<T, N, N>& a) noexcept {
   return find_accurate_inverse(a);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

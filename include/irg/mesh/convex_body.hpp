@@ -40,14 +40,14 @@ template <SpaceMesh M>
 
 }  // namespace irg::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR bool is_closed_mesh(const mesh<T>& m);
+IRG_API bool is_closed_mesh(const mesh<T>& m);
 template <Floating T>
-IRG_DOOR bool is_convex_mesh(const mesh<T>& m);
+IRG_API bool is_convex_mesh(const mesh<T>& m);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -230,16 +230,16 @@ template <SpaceMesh M>
 }  // namespace irg::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR bool is_closed_mesh(const mesh<T>& m) {
+IRG_API bool is_closed_mesh(const mesh<T>& m) {
   return are_paired(sorted_sides(m));
 }
 template <Floating T>
-IRG_DOOR bool is_convex_mesh(const mesh<T>& m) {
+IRG_API bool is_convex_mesh(const mesh<T>& m) {
   return convexity_check<mesh<T>>(m)();
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -17,7 +17,7 @@
 #include <irg/mesh/edge_ends.hpp>
 #endif
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// Gives the corners of a mesh that have no normal one: the normal of the faces around the corner's position that are
 /// connected to its own face over smooth edges, weighted and summed as vertex_normals does. An edge is smooth where
@@ -31,15 +31,15 @@ namespace irg::inline IRG_DOORS {
 /// cost    n log n in the corners around a position; allocates some 120 bytes a corner, nothing where all have normals
 /// source  VRML 97, 4.6.3.5 (the crease angle)
 template <Floating T>
-IRG_DOOR void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight = normal_weight::angle);
+IRG_API void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight = normal_weight::angle);
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight) {
+IRG_API void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight) {
   if (std::ranges::all_of(m.corners, [](const mesh_corner& c) { return c.normal != no_index; })) return;
   const std::size_t count = m.corners.size();
   std::vector<vec<double, 3>> unit(count, vec<double, 3>{}), weighted(count, vec<double, 3>{});
@@ -77,5 +77,5 @@ IRG_DOOR void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight) 
     if (m.corners[c].normal == no_index) m.corners[c].normal = normal_of[groups.of(c)];
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -31,7 +31,7 @@ struct half_edge_counts {
   bool operator==(const half_edge_counts&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The indexed mesh of a boundary representation.
 /// shape   faces in the order of their numbers (of their parts, where there are any), each from its loop's first
@@ -42,9 +42,9 @@ inline namespace IRG_DOORS {
 /// exact   positions and attributes are copied; rings are cut as triangulate_monotone does
 /// cost    linear, but for the faces with rings, which cost as triangulate_monotone
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> to_mesh(const half_edge_mesh<T>& b);
+[[nodiscard]] IRG_API mesh<T> to_mesh(const half_edge_mesh<T>& b);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -166,10 +166,10 @@ constexpr void append_face(mesh<T>& m, const half_edge_mesh<T>& b, std::uint32_t
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> to_mesh(const half_edge_mesh<T>& b) {
+[[nodiscard]] IRG_API mesh<T> to_mesh(const half_edge_mesh<T>& b) {
   mesh<T> m;
   m.normals = b.normals;
   m.texcoords = b.texcoords;
@@ -206,5 +206,5 @@ template <Floating T>
   return m;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

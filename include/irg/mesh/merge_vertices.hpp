@@ -28,7 +28,7 @@ struct merged_vertices {
   bool operator==(const merged_vertices&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The vertices of a mesh, merged where position, normal and texture coordinate are equal, and its triangles.
 /// shape   vertices in the order in which corners use them first; triangles as triangulate makes them of the faces
@@ -38,9 +38,9 @@ inline namespace IRG_DOORS {
 /// exact   always; no two vertices of the result are equal
 /// cost    O(n log n), whatever the mesh
 template <Floating T>
-[[nodiscard]] IRG_DOOR merged_vertices merge_vertices(const mesh<T>& m);
+[[nodiscard]] IRG_API merged_vertices merge_vertices(const mesh<T>& m);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -63,10 +63,10 @@ template <Scalar T>
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR merged_vertices merge_vertices(const mesh<T>& m) {
+[[nodiscard]] IRG_API merged_vertices merge_vertices(const mesh<T>& m) {
   const mesh<T> triangles = triangulated(m);
   const auto positions = detail::first_equal_vectors<T, 3>(m.positions),
              normals = detail::first_equal_vectors<T, 3>(m.normals),
@@ -102,5 +102,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

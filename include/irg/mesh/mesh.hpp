@@ -78,7 +78,7 @@ inline constexpr bool is_own_mesh = false;
 template <Floating T>
 inline constexpr bool is_own_mesh<mesh<T>> = true;
 
-/// irg's own mesh of floats or doubles, which the doors take.
+/// irg's own mesh of floats or doubles, which irg::compiled takes.
 template <class M>
 concept OwnMesh = is_own_mesh<M>;
 

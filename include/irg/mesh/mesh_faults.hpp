@@ -97,7 +97,7 @@ inline namespace IRG_ABI {
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Every fault of a surface: none where it is closed, oriented and a manifold, of faces with area.
 /// shape   faults of positions, of faces, of edges, of vertices, each by their numbers
@@ -106,9 +106,9 @@ inline namespace IRG_DOORS {
 /// exact   always
 /// cost    O(n log n)
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<mesh_fault> list_faults(const mesh<T>& m);
+[[nodiscard]] IRG_API std::vector<mesh_fault> list_faults(const mesh<T>& m);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 }  // namespace irg
 
@@ -186,14 +186,14 @@ struct fault_finder {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<mesh_fault> list_faults(const mesh<T>& m) {
+[[nodiscard]] IRG_API std::vector<mesh_fault> list_faults(const mesh<T>& m) {
   std::vector<mesh_fault> found;
   detail::fault_finder<T>{m, found}.find();
   return found;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -53,12 +53,12 @@ constexpr void assign_vertex_normals(mesh<T>& m, normal_weight weight = normal_w
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR std::vector<vec<T, 3>> normals_at_positions(const mesh<T>& m, normal_weight weight);
+IRG_API std::vector<vec<T, 3>> normals_at_positions(const mesh<T>& m, normal_weight weight);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -243,12 +243,12 @@ template <SpaceMesh M>
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR std::vector<vec<T, 3>> normals_at_positions(const mesh<T>& m, normal_weight weight) {
+IRG_API std::vector<vec<T, 3>> normals_at_positions(const mesh<T>& m, normal_weight weight) {
   return sum_vertex_normals(m, weight);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

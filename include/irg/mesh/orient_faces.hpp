@@ -31,12 +31,12 @@ constexpr void turn_face(mesh<T>& m, std::size_t f) {
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR orient_status orient_mesh(mesh<T>& m);
+IRG_API orient_status orient_mesh(mesh<T>& m);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -116,12 +116,12 @@ constexpr orient_status orient_faces(mesh<T>& m) {
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR orient_status orient_mesh(mesh<T>& m) {
+IRG_API orient_status orient_mesh(mesh<T>& m) {
   return turn_faces_alike(m);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -90,15 +90,15 @@ template <Scalar T>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The regular tetrahedron in the unit sphere, on four corners of a cube.
 /// shape   4 vertices, 4 triangles, counter-clockwise from outside, 4 normals
 /// exact   vertices within 2u of the sphere
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_tetrahedron();
+[[nodiscard]] IRG_API mesh<T> shape_tetrahedron();
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -117,19 +117,19 @@ template <Scalar T>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The regular icosahedron in the unit sphere, its vertices on three golden rectangles in the coordinate planes.
 /// shape   12 vertices, 20 triangles, counter-clockwise from outside, 20 normals
 /// exact   vertices within 3u of the sphere
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_icosahedron();
+[[nodiscard]] IRG_API mesh<T> shape_icosahedron();
 
 /// The square [-1, 1] x [-1, 1] of the plane y = 0, facing up.
 /// shape   (columns + 1)*(rows + 1) vertices along x, then z; 2*columns*rows triangles; one normal, (0, 1, 0)
 /// exact   coordinates rounded once; mirror images in the coordinate planes are exact
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_grid(const grid_options& options = {});
+[[nodiscard]] IRG_API mesh<T> shape_grid(const grid_options& options = {});
 
 /// The sphere of radius 1 about the origin, poles at y = 1 and y = -1.
 /// shape   slices*(stacks - 1) + 2 vertices, 2*slices*(stacks - 1) triangles, closed, counter-clockwise from outside;
@@ -137,7 +137,7 @@ template <Floating T>
 /// exact   vertices lie within 3u of the sphere (u = 2^-53, float 2^-24); mirror images in the coordinate planes are
 ///         exact where slices is even (x, z by 4) and stacks any number
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_sphere(const sphere_options& options = {});
+[[nodiscard]] IRG_API mesh<T> shape_sphere(const sphere_options& options = {});
 
 /// The torus about the y axis, its tube's centre line in the plane y = 0.
 /// shape   major_segments*minor_segments vertices and twice as many triangles, closed, counter-clockwise from outside;
@@ -145,7 +145,7 @@ template <Floating T>
 /// needs   minor_radius > 0; above major_radius the surface passes through itself
 /// exact   positions within 4u*(major_radius + minor_radius), normals within 3u of length 1
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_torus(const torus_options<T>& options = {});
+[[nodiscard]] IRG_API mesh<T> shape_torus(const torus_options<T>& options = {});
 
 /// The body that a profile sweeps when it is turned about the y axis.
 /// shape   the profile's points are (radius, height), from the lower end to the upper one, the body to its left. Sides
@@ -154,9 +154,9 @@ template <Floating T>
 /// gives   a closed surface, counter-clockwise from outside; slices are taken as 3 if less, as 4096 if more
 /// exact   positions within 3u of the radius; lids are plane, sides nearly
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32);
+[[nodiscard]] IRG_API mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -190,23 +190,23 @@ template <PolygonRing R>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The cylinder of radius 1 about the y axis, from y = -1 to y = 1; of few slices the prism.
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_cylinder(int slices = 32);
+[[nodiscard]] IRG_API mesh<T> shape_cylinder(int slices = 32);
 
 /// The cone of radius 1 about the y axis, from y = -1 to its tip at y = 1; of few slices the pyramid.
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_cone(int slices = 32);
+[[nodiscard]] IRG_API mesh<T> shape_cone(int slices = 32);
 
 /// The dodecahedron in the unit sphere: a corner over each face of the icosahedron, a face round each of its corners.
 /// shape   20 vertices, 12 faces of five corners, closed, counter-clockwise from outside
 /// exact   vertices within 4u of the sphere; faces are plane but for that
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_dodecahedron();
+[[nodiscard]] IRG_API mesh<T> shape_dodecahedron();
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 }  // namespace irg
 
@@ -239,10 +239,10 @@ constexpr void add_collapsed_face(mesh<T>& m, const std::vector<std::uint32_t>& 
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_tetrahedron() {
+[[nodiscard]] IRG_API mesh<T> shape_tetrahedron() {
   const T i = 1 / sqrt_3<T>;
   mesh<T> m;
   m.positions = {{i, i, i}, {i, -i, -i}, {-i, i, -i}, {-i, -i, i}};
@@ -252,7 +252,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_icosahedron() {
+[[nodiscard]] IRG_API mesh<T> shape_icosahedron() {
   const double golden = golden_ratio<double>, length = sqrt(1 + product(golden, golden));
   const T o = 0, i = converted<T>(1 / length), g = converted<T>(golden / length);
   mesh<T> m;
@@ -264,7 +264,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_grid(const grid_options& options) {
+[[nodiscard]] IRG_API mesh<T> shape_grid(const grid_options& options) {
   const int columns = clamped(options.columns, 1, 4096), rows = clamped(options.rows, 1, 4096);
   const auto place = [](int k, int n) { return static_cast<T>(2 * k - n) / static_cast<T>(n); };
   mesh<T> m;
@@ -285,7 +285,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_sphere(const sphere_options& options) {
+[[nodiscard]] IRG_API mesh<T> shape_sphere(const sphere_options& options) {
   const int slices = clamped(options.slices, 3, 4096), stacks = clamped(options.stacks, 2, 4096);
   mesh<T> m;
   detail::add_rings(m, slices, stacks, detail::ring_end::pole, detail::ring_end::pole, [&](int i, int j) {
@@ -297,7 +297,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_torus(const torus_options<T>& options) {
+[[nodiscard]] IRG_API mesh<T> shape_torus(const torus_options<T>& options) {
   const int major = clamped(options.major_segments, 3, 4096);
   const int minor = clamped(options.minor_segments, 3, 4096);
   const double ring_radius = widened(options.major_radius), tube_radius = widened(options.minor_radius);
@@ -314,7 +314,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices) {
+[[nodiscard]] IRG_API mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices) {
   slices = clamped(slices, 3, 4096);
   mesh<T> m;
   std::vector<std::uint32_t> lower, upper;
@@ -332,17 +332,17 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_cylinder(int slices) {
+[[nodiscard]] IRG_API mesh<T> shape_cylinder(int slices) {
   return shape_revolution<T>({{T(1), T(-1)}, {T(1), T(1)}}, slices);
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_cone(int slices) {
+[[nodiscard]] IRG_API mesh<T> shape_cone(int slices) {
   return shape_revolution<T>({{T(1), T(-1)}, {T(0), T(1)}}, slices);
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_dodecahedron() {
+[[nodiscard]] IRG_API mesh<T> shape_dodecahedron() {
   const mesh<T> dual = shape_icosahedron<T>();
   const half_edge_mesh<T> edges = to_half_edges(dual).value;
   mesh<T> m;
@@ -359,5 +359,5 @@ template <Floating T>
   return m;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -42,7 +42,7 @@ template <Real T>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The teapot as triangles with the patches' own normals.
 /// shape   four surfaces with open borders (body, lid, handle, spout), which pass through each other as in the
@@ -53,9 +53,9 @@ inline namespace IRG_DOORS {
 /// cost    a patch sample per vertex
 /// source  Newell 1975; see teapot_patches
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_teapot(const teapot_options& options = {});
+[[nodiscard]] IRG_API mesh<T> shape_teapot(const teapot_options& options = {});
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -198,10 +198,10 @@ constexpr void add_teapot_part(mesh<T>& m, int n, const Rows& rows, int parts, i
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR mesh<T> shape_teapot(const teapot_options& options) {
+[[nodiscard]] IRG_API mesh<T> shape_teapot(const teapot_options& options) {
   using detail::ring_end;
   const int n = clamped(options.subdivisions, 1, 1024);
   mesh<T> m;
@@ -215,5 +215,5 @@ template <Floating T>
   return m;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

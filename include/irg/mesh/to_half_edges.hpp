@@ -158,12 +158,12 @@ constexpr checked<half_edge_mesh<T>, half_edge_status> build_half_edges(const me
 
 }  // namespace detail::inline IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR checked<half_edge_mesh<T>, half_edge_status> half_edges_of(const mesh<T>& m);
+IRG_API checked<half_edge_mesh<T>, half_edge_status> half_edges_of(const mesh<T>& m);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -187,12 +187,12 @@ template <Scalar T>
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR checked<half_edge_mesh<T>, half_edge_status> half_edges_of(const mesh<T>& m) {
+IRG_API checked<half_edge_mesh<T>, half_edge_status> half_edges_of(const mesh<T>& m) {
   return build_half_edges(m);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -39,13 +39,13 @@ template <Scalar T>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 // Cuts all faces of a mesh.
 template <Floating T>
-IRG_DOOR void cut_mesh(mesh<T>& m, const triangulate_options& options);
+IRG_API void cut_mesh(mesh<T>& m, const triangulate_options& options);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -143,12 +143,12 @@ IRG_RENAMED(triangulate, triangulated)
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void cut_mesh(mesh<T>& m, const triangulate_options& options) {
+IRG_API void cut_mesh(mesh<T>& m, const triangulate_options& options) {
   cut_faces(m, options);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

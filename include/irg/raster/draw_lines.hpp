@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/raster/detail/door_rasters.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/line_kernel.hpp>
 #include <irg/raster/draw_line.hpp>
 
@@ -103,17 +103,17 @@ constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_opti
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
-template <DoorPixel P>
-IRG_DOOR void draw_line_batch(const image_view<P>& raster, const cell_window& w, std::span<const cell_line> lines,
-                              const P& value, const line_options& options, line_batch& memory);
-template <DoorPixel P>
-IRG_DOOR void draw_painted_batch(const image_view<P>& raster, const cell_window& w,
-                                 std::span<const painted_line<P>> lines, const line_options& options,
-                                 line_batch& memory);
+template <CompiledPixel P>
+IRG_API void draw_line_batch(const image_view<P>& raster, const cell_window& w, std::span<const cell_line> lines,
+                             const P& value, const line_options& options, line_batch& memory);
+template <CompiledPixel P>
+IRG_API void draw_painted_batch(const image_view<P>& raster, const cell_window& w,
+                                std::span<const painted_line<P>> lines, const line_options& options,
+                                line_batch& memory);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -392,7 +392,7 @@ constexpr void draw_lines(R& raster, const Lines& lines, const Paint& paint, con
                           Memory&& memory) {
   const cell_window visible = window_of(raster);
   if (visible.empty()) return;
-  if constexpr (detail::draws_by_doors && detail::DoorRaster<R> && !BlendFunction<Paint, R> &&
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && !BlendFunction<Paint, R> &&
                 std::convertible_to<const Lines&, std::span<const cell_line>>)
     detail::draw_line_batch(view_of(raster), visible, lines, static_cast<pixel_of<R>>(paint), options, memory);
   else
@@ -404,7 +404,7 @@ template <WritableRaster R, PaintedLineSequence<R> Lines, class Memory>
 constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_options& options, Memory&& memory) {
   const cell_window visible = window_of(raster);
   if (visible.empty()) return;
-  if constexpr (detail::draws_by_doors && detail::DoorRaster<R> &&
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> &&
                 std::convertible_to<const Lines&, std::span<const painted_line<pixel_of<R>>>>)
     detail::draw_painted_batch<pixel_of<R>>(view_of(raster), visible, lines, options, memory);
   else
@@ -415,23 +415,23 @@ constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_opti
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DoorPixel P>
-IRG_DOOR void draw_line_batch(const image_view<P>& raster, const cell_window& w, std::span<const cell_line> lines,
-                              const P& value, const line_options& options, line_batch& memory) {
+template <CompiledPixel P>
+IRG_API void draw_line_batch(const image_view<P>& raster, const cell_window& w, std::span<const cell_line> lines,
+                             const P& value, const line_options& options, line_batch& memory) {
   image_view<P> view = raster;
   const auto target = within(view, w);
   draw_lines_in(target, lines, value, options, memory);
 }
-template <DoorPixel P>
-IRG_DOOR void draw_painted_batch(const image_view<P>& raster, const cell_window& w,
-                                 std::span<const painted_line<P>> lines, const line_options& options,
-                                 line_batch& memory) {
+template <CompiledPixel P>
+IRG_API void draw_painted_batch(const image_view<P>& raster, const cell_window& w,
+                                std::span<const painted_line<P>> lines, const line_options& options,
+                                line_batch& memory) {
   image_view<P> view = raster;
   const auto target = within(view, w);
   draw_painted_in(target, lines, options, memory);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -58,13 +58,13 @@ constexpr bool draw_text(R& raster, std::string_view text, const point<double, 2
 
 }  // namespace irg::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class T>
-IRG_DOOR bool strokes_of_text(std::string_view text, const point<T, 2>& at, const text_style& style,
-                              const function_ref<void(std::span<const point<T, 2>>)>& sink);
+IRG_API bool strokes_of_text(std::string_view text, const point<T, 2>& at, const text_style& style,
+                             const function_ref<void(std::span<const point<T, 2>>)>& sink);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -190,11 +190,11 @@ struct glyph_pen {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class T>
-IRG_DOOR bool strokes_of_text(std::string_view text, const point<T, 2>& at, const text_style& style,
-                              const function_ref<void(std::span<const point<T, 2>>)>& sink) {
+IRG_API bool strokes_of_text(std::string_view text, const point<T, 2>& at, const text_style& style,
+                             const function_ref<void(std::span<const point<T, 2>>)>& sink) {
   const auto turn = sin_cos_degrees(style.clockwise_degrees);
   if (!is_text_size(style.size) || !can_snap(at) || !(turn.sine == turn.sine)) return false;
   const text_extent e = measure_text(text, style.size);
@@ -214,5 +214,5 @@ IRG_DOOR bool strokes_of_text(std::string_view text, const point<T, 2>& at, cons
   return true;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -12,7 +12,7 @@
 #include <irg/core/function_ref.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/convex_fill_kernel.hpp>
-#include <irg/raster/detail/door_rasters.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/fill_span.hpp>
 
 namespace irg::inline IRG_ABI {
@@ -28,7 +28,7 @@ namespace irg::inline IRG_ABI {
 template <FillableRing Ring, SpanSink Sink>
 constexpr bool convex_spans(const Ring& ring, const cell_window& window, Sink&& sink) {
   const auto send = [&](int y, int first, int last) { sink(span_of_cells{y, first, last}); };
-  if constexpr (detail::draws_by_doors && detail::DoorRing<Ring>)
+  if constexpr (detail::draws_in_library && detail::CompiledRing<Ring>)
     return detail::send_ring_runs(std::span<const ring_point<Ring>>(ring), window,
                                   as_function<void(int, int, int)>(send));
   else
@@ -40,7 +40,8 @@ constexpr bool convex_spans(const Ring& ring, const cell_window& window, Sink&& 
 template <WritableRaster R, FillableRing Ring, PaintFor<R> Paint = pixel_of<R>>
 constexpr bool fill_convex(R& raster, const Ring& ring, const Paint& paint) {
   decltype(auto) prepared = detail::prepared_paint<R>(paint);
-  if constexpr (detail::draws_by_doors && detail::DoorRaster<R> && detail::DoorRing<Ring> && !BlendFunction<Paint, R>) {
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && detail::CompiledRing<Ring> &&
+                !BlendFunction<Paint, R>) {
     return detail::paint_ring_runs(view_of(raster), std::span<const ring_point<Ring>>(ring), prepared,
                                    window_of(raster));
   } else {

@@ -17,7 +17,7 @@
 #include <irg/raster/blend_span.hpp>
 #include <irg/raster/detail/area_kernel.hpp>
 #include <irg/raster/detail/area_targets.hpp>
-#include <irg/raster/detail/door_rasters.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/snapped_ring.hpp>
 
 namespace irg {
@@ -48,16 +48,16 @@ constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint);
 
 namespace detail {
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
-template <DoorVertex V>
-IRG_DOOR bool send_convex_ring(std::span<const V> ring, const cell_window& w,
-                               const function_ref<void(const coverage_span&)>& sink);
-template <DoorPixel P, DoorVertex V>
-IRG_DOOR bool mix_convex_ring(const image_view<P>& raster, std::span<const V> ring, const P& value,
-                              const cell_window& w);
+template <CompiledVertex V>
+IRG_API bool send_convex_ring(std::span<const V> ring, const cell_window& w,
+                              const function_ref<void(const coverage_span&)>& sink);
+template <CompiledPixel P, CompiledVertex V>
+IRG_API bool mix_convex_ring(const image_view<P>& raster, std::span<const V> ring, const P& value,
+                             const cell_window& w);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -350,7 +350,7 @@ inline namespace IRG_ABI {
 
 template <FillableRing Ring, CoverageSink Sink>
 constexpr bool convex_coverage(const Ring& ring, const cell_window& window, Sink&& sink) {
-  if constexpr (detail::draws_by_doors && detail::DoorRing<Ring>)
+  if constexpr (detail::draws_in_library && detail::CompiledRing<Ring>)
     return detail::send_convex_ring(std::span<const ring_point<Ring>>(ring), window,
                                     as_function<void(const coverage_span&)>(sink));
   else
@@ -360,7 +360,7 @@ constexpr bool convex_coverage(const Ring& ring, const cell_window& window, Sink
 template <WritableRaster R, FillableRing Ring, CoveragePaintFor<R> Paint>
 constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint) {
   const cell_window w = window_of(raster);
-  if constexpr (detail::draws_by_doors && detail::DoorRaster<R> && detail::DoorRing<Ring> &&
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && detail::CompiledRing<Ring> &&
                 !CoverageBlendFunction<Paint, R>)
     return detail::mix_convex_ring(view_of(raster), std::span<const ring_point<Ring>>(ring),
                                    static_cast<pixel_of<R>>(paint), w);
@@ -374,20 +374,20 @@ constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint) {
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DoorVertex V>
-IRG_DOOR bool send_convex_ring(std::span<const V> ring, const cell_window& w,
-                               const function_ref<void(const coverage_span&)>& sink) {
+template <CompiledVertex V>
+IRG_API bool send_convex_ring(std::span<const V> ring, const cell_window& w,
+                              const function_ref<void(const coverage_span&)>& sink) {
   return send_convex_areas(ring, w, sink);
 }
 
-template <DoorPixel P, DoorVertex V>
-IRG_DOOR bool mix_convex_ring(const image_view<P>& raster, std::span<const V> ring, const P& value,
-                              const cell_window& w) {
+template <CompiledPixel P, CompiledVertex V>
+IRG_API bool mix_convex_ring(const image_view<P>& raster, std::span<const V> ring, const P& value,
+                             const cell_window& w) {
   image_view<P> target = raster;
   return mix_convex_areas(target, ring, value, w);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <irg/core/function_ref.hpp>
-#include <irg/raster/detail/door_rasters.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/polygon_bands.hpp>
 #include <irg/raster/fill_span.hpp>
 
@@ -23,21 +23,21 @@ struct fill_workspace {
   detail::polygon_bands bands;
 };
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 // Walks all edges down the window.
 template <class J>
-IRG_DOOR void send_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
-                             const cell_window& w, const function_ref<void(int, int, int)>& sink);
-template <class J, DoorPixel P>
-IRG_DOOR void paint_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
-                              const cell_window& w, const image_view<P>& raster, const P& value);
+IRG_API void send_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                            const cell_window& w, const function_ref<void(int, int, int)>& sink);
+template <class J, CompiledPixel P>
+IRG_API void paint_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                             const cell_window& w, const image_view<P>& raster, const P& value);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
-// What scans go to by doors: a sink, or the pixels themselves.
+// What scans of irg::compiled go to: a sink, or the pixels themselves.
 template <class Sink>
 struct scan_to_sink {
   Sink& sink;
@@ -47,7 +47,7 @@ struct scan_to_sink {
                       const cell_window& w) const {
     send_edge_scan(edges, turns, rule, w, as_function<void(int, int, int)>(sink));
   }
-  template <DoorRing R>
+  template <CompiledRing R>
   constexpr bool ring(const R& r, const cell_window& w) const {
     return send_ring_runs(std::span<const ring_point<R>>(r), w, as_function<void(int, int, int)>(sink));
   }
@@ -63,7 +63,7 @@ struct scan_to_pixels {
                       const cell_window& w) const {
     paint_edge_scan(edges, turns, rule, w, raster, value);
   }
-  template <DoorRing R>
+  template <CompiledRing R>
   constexpr bool ring(const R& r, const cell_window& w) const {
     return paint_ring_runs(raster, std::span<const ring_point<R>>(r), value, w);
   }
@@ -140,7 +140,7 @@ template <FillablePolygon P, SpanSink Sink, class Workspace = fill_workspace>
 constexpr bool polygon_spans(const P& polygon, fill_rule rule, const cell_window& window, Sink&& sink,
                              Workspace&& workspace = Workspace{}) {
   const auto send = [&](int y, int first, int last) { sink(span_of_cells{y, first, last}); };
-  if constexpr (detail::draws_by_doors)
+  if constexpr (detail::draws_in_library)
     return detail::walk_polygon(polygon, rule, window, workspace, detail::scan_to_sink<decltype(send)>{send});
   else
     return detail::walk_polygon(polygon, rule, window, workspace, send);
@@ -156,11 +156,11 @@ constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const P
   const std::ptrdiff_t ahead = detail::bytes_to_row_below(raster);
   const cell_window w = window_of(raster);
   const auto send = [&](int y, int first, int last) { detail::paint_run(raster, y, first, last, prepared, ahead); };
-  if constexpr (detail::draws_by_doors && detail::DoorRaster<R> && !BlendFunction<Paint, R>)
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && !BlendFunction<Paint, R>)
     return detail::walk_polygon(
         polygon, rule, w, workspace,
         detail::scan_to_pixels<decltype(send), pixel_of<R>>{send, view_of(raster), static_cast<pixel_of<R>>(prepared)});
-  else if constexpr (detail::draws_by_doors)
+  else if constexpr (detail::draws_in_library)
     return detail::walk_polygon(polygon, rule, w, workspace, detail::scan_to_sink<decltype(send)>{send});
   else
     return detail::walk_polygon(polygon, rule, w, workspace, send);
@@ -177,22 +177,22 @@ constexpr bool fill_polygon(R& raster, const point<double, 2> (&ring)[N], fill_r
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class J>
-IRG_DOOR void send_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
-                             const cell_window& w, const function_ref<void(int, int, int)>& sink) {
+IRG_API void send_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                            const cell_window& w, const function_ref<void(int, int, int)>& sink) {
   scan_edges(edges, turns, rule, w, sink);
 }
 
-template <class J, DoorPixel P>
-IRG_DOOR void paint_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
-                              const cell_window& w, const image_view<P>& raster, const P& value) {
+template <class J, CompiledPixel P>
+IRG_API void paint_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                             const cell_window& w, const image_view<P>& raster, const P& value) {
   image_view<P> target = raster;
   const std::ptrdiff_t ahead = bytes_to_row_below(target);
   const auto paint = [&](int y, int first, int last) { paint_run(target, y, first, last, value, ahead); };
   scan_edges(edges, turns, rule, w, paint);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

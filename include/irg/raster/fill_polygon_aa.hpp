@@ -12,7 +12,7 @@
 #include <irg/core/function_ref.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/area_kernel.hpp>
-#include <irg/raster/detail/door_rasters.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/polygon_bands.hpp>
 #include <irg/raster/detail/polygon_fill_kernel.hpp>
 #include <irg/raster/detail/snapped_ring.hpp>
@@ -127,18 +127,18 @@ constexpr bool fill_polygon_aa(R& raster, const point<double, 2> (&ring)[N], fil
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 // The rows of the lines in memory.
 // needs   w not empty
 template <class Memory>
-IRG_DOOR void send_area_sweep(Memory& memory, fill_rule rule, const cell_window& w,
-                              const function_ref<void(const coverage_span&)>& sink);
-template <DoorPixel P>
-IRG_DOOR void mix_area_sweep(const image_view<P>& raster, area_memory& memory, fill_rule rule, const cell_window& w,
-                             const P& value);
+IRG_API void send_area_sweep(Memory& memory, fill_rule rule, const cell_window& w,
+                             const function_ref<void(const coverage_span&)>& sink);
+template <CompiledPixel P>
+IRG_API void mix_area_sweep(const image_view<P>& raster, area_memory& memory, fill_rule rule, const cell_window& w,
+                            const P& value);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -496,7 +496,7 @@ constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_win
     if (detail::is_convex_ring(polygon)) return convex_coverage(polygon, window, sink);
   const cell_window w = detail::collect_area_lines(m, polygon, window);
   if (w.empty()) return true;
-  if constexpr (detail::draws_by_doors)
+  if constexpr (detail::draws_in_library)
     detail::send_area_sweep(m, rule, w, as_function<void(const coverage_span&)>(sink));
   else
     detail::polygon_sweep(m, rule, w, sink).all_rows();
@@ -509,7 +509,7 @@ constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, cons
   if constexpr (FillableRing<P>)
     if (detail::reach_of(polygon) == detail::ring_reach::within_snap_limit && detail::is_convex_ring(polygon))
       return fill_convex_aa(raster, polygon, paint);
-  if constexpr (detail::draws_by_doors && detail::DoorRaster<R> && !CoverageBlendFunction<Paint, R>) {
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && !CoverageBlendFunction<Paint, R>) {
     if (detail::reach_of_polygon(polygon) != detail::ring_reach::within_snap_limit) return false;
     const cell_window w = detail::collect_area_lines(workspace.memory, polygon, window_of(raster));
     if (!w.empty()) detail::mix_area_sweep(view_of(raster), workspace.memory, rule, w, static_cast<pixel_of<R>>(paint));
@@ -524,21 +524,21 @@ constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, cons
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Memory>
-IRG_DOOR void send_area_sweep(Memory& memory, fill_rule rule, const cell_window& w,
-                              const function_ref<void(const coverage_span&)>& sink) {
+IRG_API void send_area_sweep(Memory& memory, fill_rule rule, const cell_window& w,
+                             const function_ref<void(const coverage_span&)>& sink) {
   polygon_sweep(memory, rule, w, sink).all_rows();
 }
 
-template <DoorPixel P>
-IRG_DOOR void mix_area_sweep(const image_view<P>& raster, area_memory& memory, fill_rule rule, const cell_window& w,
-                             const P& value) {
+template <CompiledPixel P>
+IRG_API void mix_area_sweep(const image_view<P>& raster, area_memory& memory, fill_rule rule, const cell_window& w,
+                            const P& value) {
   image_view<P> target = raster;
   const auto blend = [&](const coverage_span& span) { blend_span(target, span, value); };
   polygon_sweep(memory, rule, w, blend).all_rows();
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

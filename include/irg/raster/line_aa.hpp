@@ -7,7 +7,7 @@
 #include <irg/core/function_ref.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/area_targets.hpp>
-#include <irg/raster/detail/door_rasters.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/line_aa_shape.hpp>
 #include <irg/raster/detail/line_aa_slender.hpp>
 #include <irg/raster/detail/snapped_line.hpp>
@@ -41,16 +41,16 @@ constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& pain
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Options>
-IRG_DOOR void send_line_areas(const subpixel& a, const subpixel& b, const Options& options, const cell_window& w,
-                              const function_ref<void(const coverage_span&)>& sink);
-template <DoorPixel P>
-IRG_DOOR void mix_line_areas(const image_view<P>& raster, const subpixel& a, const subpixel& b, const P& value,
-                             const line_aa_options& options, const cell_window& w);
+IRG_API void send_line_areas(const subpixel& a, const subpixel& b, const Options& options, const cell_window& w,
+                             const function_ref<void(const coverage_span&)>& sink);
+template <CompiledPixel P>
+IRG_API void mix_line_areas(const image_view<P>& raster, const subpixel& a, const subpixel& b, const P& value,
+                            const line_aa_options& options, const cell_window& w);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -292,7 +292,7 @@ template <CoverageSink Sink>
 constexpr bool line_aa(const subpixel& a, const subpixel& b, const cell_window& window, Sink&& sink,
                        const line_aa_options& options) {
   if (!detail::aa_can_draw(a, b, options.width)) return false;
-  if constexpr (detail::draws_by_doors)
+  if constexpr (detail::draws_in_library)
     detail::send_line_areas(a, b, options, window, as_function<void(const coverage_span&)>(sink));
   else
     detail::aa_send_line(a, b, options, window, sink);
@@ -305,7 +305,7 @@ constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& pain
   if (!finite || !detail::aa_can_draw(from, to, options.width)) return false;
   if (!in_reach) return true;
   const cell_window w = window_of(raster);
-  if constexpr (detail::draws_by_doors && detail::DoorRaster<R> && !CoverageBlendFunction<Paint, R>) {
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && !CoverageBlendFunction<Paint, R>) {
     detail::mix_line_areas(view_of(raster), from, to, static_cast<pixel_of<R>>(paint), options, w);
     return true;
   } else if constexpr (RowRaster<R> && detail::mixes_in_lanes<pixel_of<R>> && !CoverageBlendFunction<Paint, R>) {
@@ -324,20 +324,20 @@ constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& pain
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Options>
-IRG_DOOR void send_line_areas(const subpixel& a, const subpixel& b, const Options& options, const cell_window& w,
-                              const function_ref<void(const coverage_span&)>& sink) {
+IRG_API void send_line_areas(const subpixel& a, const subpixel& b, const Options& options, const cell_window& w,
+                             const function_ref<void(const coverage_span&)>& sink) {
   aa_send_line(a, b, options, w, sink);
 }
 
-template <DoorPixel P>
-IRG_DOOR void mix_line_areas(const image_view<P>& raster, const subpixel& a, const subpixel& b, const P& value,
-                             const line_aa_options& options, const cell_window& w) {
+template <CompiledPixel P>
+IRG_API void mix_line_areas(const image_view<P>& raster, const subpixel& a, const subpixel& b, const P& value,
+                            const line_aa_options& options, const cell_window& w) {
   image_view<P> target = raster;
   aa_mix_line(target, a, b, value, options, w);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

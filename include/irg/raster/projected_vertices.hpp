@@ -87,14 +87,14 @@ template <Floating T, SpaceRing A = std::span<const point<T, 3>>, Executor E = s
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void project_positions(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
-                                const screen_mapping<T>& mapping, projected_vertices<T>& out,
-                                const executor_ref& executor);
+IRG_API void project_positions(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
+                               const screen_mapping<T>& mapping, projected_vertices<T>& out,
+                               const executor_ref& executor);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -210,12 +210,12 @@ constexpr clip_code_pair project_range(const vertex_range<T>& v, std::size_t fir
 
 }  // namespace detail::inline IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void project_positions(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
-                                const screen_mapping<T>& mapping, projected_vertices<T>& out,
-                                const executor_ref& executor) {
+IRG_API void project_positions(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
+                               const screen_mapping<T>& mapping, projected_vertices<T>& out,
+                               const executor_ref& executor) {
   constexpr std::size_t portion = 8192;
   const std::size_t n = positions.size();
   out.positions = positions;
@@ -231,6 +231,6 @@ IRG_DOOR void project_positions(std::span<const point<T, 3>> positions, const ma
   for (const clip_code_pair& a : any) out.any = out.any | a;
 }
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 }  // namespace irg
 #endif

@@ -55,13 +55,13 @@ constexpr bool draw_stroke(R& raster, std::span<const point<double, 2>> points, 
 
 }  // namespace irg::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class T>
-IRG_DOOR bool outline_of_stroke(std::span<const point<T, 2>> points, const stroke_style& style,
-                                const function_ref<void(std::span<const point<T, 2>>)>& sink);
+IRG_API bool outline_of_stroke(std::span<const point<T, 2>> points, const stroke_style& style,
+                               const function_ref<void(std::span<const point<T, 2>>)>& sink);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -181,11 +181,11 @@ struct stroke_pieces {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class T>
-IRG_DOOR bool outline_of_stroke(std::span<const point<T, 2>> points, const stroke_style& style,
-                                const function_ref<void(std::span<const point<T, 2>>)>& sink) {
+IRG_API bool outline_of_stroke(std::span<const point<T, 2>> points, const stroke_style& style,
+                               const function_ref<void(std::span<const point<T, 2>>)>& sink) {
   if (!can_stroke(points, style)) return false;
   if (!(style.width > 0) || points.empty()) return true;
   stroke_pieces<const function_ref<void(std::span<const point<double, 2>>)>> pieces{style, 0.5 * style.width, sink, {}};
@@ -197,5 +197,5 @@ IRG_DOOR bool outline_of_stroke(std::span<const point<T, 2>> points, const strok
   return true;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -27,15 +27,15 @@ struct drawable {
   bool operator==(const drawable&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The triangles of a mesh. Meshes without normals get the usual vertex normals (the average of the faces around).
 /// needs   a valid mesh (mesh/validate.hpp)
 /// cost    linear; allocates the result
 template <Floating T>
-[[nodiscard]] IRG_DOOR drawable<T> make_drawable(mesh<T> m);
+[[nodiscard]] IRG_API drawable<T> make_drawable(mesh<T> m);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -68,10 +68,10 @@ private:
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR drawable<T> make_drawable(mesh<T> m) {
+[[nodiscard]] IRG_API drawable<T> make_drawable(mesh<T> m) {
   bool has_normals = !m.normals.empty();
   for (const mesh_corner& c : m.corners) has_normals = has_normals && c.normal != no_index;
   if (!has_normals) assign_vertex_normals(m, normal_weight::average);
@@ -92,6 +92,6 @@ template <Floating T>
   return out;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 #endif

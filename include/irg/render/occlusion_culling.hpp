@@ -179,21 +179,21 @@ IRG_INLINE constexpr bool object_culling<T>::unclipped(const box<T, 3>& b) const
   return classify(guard, b) == containment::inside;
 }
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v,
-                                                     std::span<const object_extent<T>> objects);
+IRG_API std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v,
+                                                    std::span<const object_extent<T>> objects);
 template <Floating T>
-IRG_DOOR void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> positions,
-                           std::span<const triangle_indices> triangles, face_culling culling);
+IRG_API void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> positions,
+                          std::span<const triangle_indices> triangles, face_culling culling);
 template <Floating T>
-IRG_DOOR bool hides_box(const occlusion_view<T>& v, const box<T, 3>& bounds) noexcept;
+IRG_API bool hides_box(const occlusion_view<T>& v, const box<T, 3>& bounds) noexcept;
 template <Floating T>
-IRG_DOOR std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::span<const occludable_object<T>> objects,
-                                                    face_culling culling);
+IRG_API std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::span<const occludable_object<T>> objects,
+                                                   face_culling culling);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 
 namespace irg {
@@ -468,17 +468,17 @@ constexpr std::vector<std::uint32_t> choose_among(const occlusion_view<T>& v, st
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v,
-                                                     std::span<const object_extent<T>> objects) {
+IRG_API std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v,
+                                                    std::span<const object_extent<T>> objects) {
   return choose_among(v, objects.size(), [&](std::size_t i) -> auto& { return objects[i]; });
 }
 
 template <Floating T>
-IRG_DOOR void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> positions,
-                           std::span<const triangle_indices> triangles, face_culling culling) {
+IRG_API void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> positions,
+                          std::span<const triangle_indices> triangles, face_culling culling) {
   if (!v.has_pixels()) return;
   if (v.mask.layer.empty()) clear_block_mask(v.mask, v.width, v.height, v.sign, v.farthest);
   project_vertices<T>(positions, v.to_clip, v.mapping, v.vertices);
@@ -491,7 +491,7 @@ IRG_DOOR void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> po
 }
 
 template <Floating T>
-IRG_DOOR bool hides_box(const occlusion_view<T>& v, const box<T, 3>& bounds) noexcept {
+IRG_API bool hides_box(const occlusion_view<T>& v, const box<T, 3>& bounds) noexcept {
   // What is clipped is rounded once more, so that its box would not be sure to hold it.
   if (v.mask.layer.empty() || !v.frustum.unclipped(bounds)) return false;
   const mask_rectangle r = rectangle_of(v, bounds);
@@ -499,8 +499,8 @@ IRG_DOOR bool hides_box(const occlusion_view<T>& v, const box<T, 3>& bounds) noe
 }
 
 template <Floating T>
-IRG_DOOR std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::span<const occludable_object<T>> objects,
-                                                    face_culling culling) {
+IRG_API std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::span<const occludable_object<T>> objects,
+                                                   face_culling culling) {
   struct extent {
     const box<T, 3>& bounds;
     std::size_t triangles;
@@ -514,6 +514,6 @@ IRG_DOOR std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::s
   return visible;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

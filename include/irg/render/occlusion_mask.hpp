@@ -87,27 +87,27 @@ IRG_INLINE constexpr float depth_of(const occluder_depths& m, int x, int y) noex
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <class Order, Floating T>
-IRG_DOOR void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
-                             const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor);
+IRG_API void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
+                            const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor);
 
 // What is to be said of a rectangle whose depth is `nearest` everywhere: by its tiles, blocks and pixels, as far as
 // each leave it undecided.
 template <class Order>
-IRG_DOOR occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
-                                  occlusion_counts& work) noexcept;
+IRG_API occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
+                                 occlusion_counts& work) noexcept;
 // The same of a box.
 template <class Order, Floating T>
-IRG_DOOR occlusion test_box(const occluder_depths& m, const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
-                            occlusion_counts& work) noexcept;
+IRG_API occlusion test_box(const occluder_depths& m, const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
+                           occlusion_counts& work) noexcept;
 // The triangles of a batch, until one is visible.
 template <class Order, Floating T>
-IRG_DOOR occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
-                                  const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work);
+IRG_API occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
+                                 const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 /// The depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile.
@@ -293,11 +293,11 @@ constexpr occlusion test_triangle(const occluder_depths& m, const triangle_corne
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <class Order, Floating T>
-IRG_DOOR void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
-                             const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor) {
+IRG_API void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
+                            const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor) {
   triangle_bins& bins = m.lists.bins;
   bin_triangles(bins, batches, {mapping, m.grid, culling}, executor);
   m.lists.seen.assign(bins.triangle_count, 0);
@@ -311,8 +311,8 @@ IRG_DOOR void draw_occluders(occluder_depths& m, std::span<const triangle_batch<
 }
 
 template <class Order>
-IRG_DOOR occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
-                                  occlusion_counts& work) noexcept {
+IRG_API occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
+                                 occlusion_counts& work) noexcept {
   const cell_window w = intersect(pixels, m.picture());
   if (w.empty()) return occlusion::outside;
   if (!(nearest == nearest)) return occlusion::visible;
@@ -335,8 +335,8 @@ IRG_DOOR occlusion test_rectangle(const occluder_depths& m, const cell_window& p
 }
 
 template <class Order, Floating T>
-IRG_DOOR occlusion test_box(const occluder_depths& m, const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
-                            occlusion_counts& work) noexcept {
+IRG_API occlusion test_box(const occluder_depths& m, const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
+                           occlusion_counts& work) noexcept {
   constexpr float sign = key_sign<Order>;
   const mask_rectangle r = project_box(bounds, to_clip, m.grid.width, m.grid.height, sign);
   if (r.where == mask_place::outside) return occlusion::outside;
@@ -345,8 +345,8 @@ IRG_DOOR occlusion test_box(const occluder_depths& m, const box<T, 3>& bounds, c
 }
 
 template <class Order, Floating T>
-IRG_DOOR occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
-                                  const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work) {
+IRG_API occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
+                                 const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work) {
   bin_portion scratch = scratch_portion(m.grid);
   occlusion answer = occlusion::outside;
   for (std::uint32_t i = 0; i < batch.triangles.size() && answer != occlusion::visible; ++i)
@@ -357,6 +357,6 @@ IRG_DOOR occlusion test_triangles(const occluder_depths& m, const triangle_batch
   return answer;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

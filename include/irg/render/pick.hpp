@@ -28,7 +28,7 @@ struct picked_point {
   bool operator==(const picked_point&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// What is seen in a pixel of a picture of this size.
 /// needs   as render
@@ -37,16 +37,16 @@ inline namespace IRG_DOORS {
 /// cost    the vertices and triangles once, as for a picture, then the triangles of one tile: for a click. All pixels
 ///         of a picture: draw_visibility
 template <Floating T>
-IRG_DOOR std::optional<picked_point<T>> pick(prepared_scene<T>& world, const extent2& size, cell pixel,
-                                             face_culling culling = face_culling::back);
+IRG_API std::optional<picked_point<T>> pick(prepared_scene<T>& world, const extent2& size, cell pixel,
+                                            face_culling culling = face_culling::back);
 
 /// The same of a scene as it is, for one click.
 /// cost    as prepare_scene, too
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::optional<picked_point<T>> pick(const scene<T>& world, const extent2& size, cell pixel,
-                                                           face_culling culling = face_culling::back);
+[[nodiscard]] IRG_API std::optional<picked_point<T>> pick(const scene<T>& world, const extent2& size, cell pixel,
+                                                          face_culling culling = face_culling::back);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -61,11 +61,11 @@ template <class World, std::same_as<cell> Size>
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR std::optional<picked_point<T>> pick(prepared_scene<T>& world, const extent2& size, cell pixel,
-                                             face_culling culling) {
+IRG_API std::optional<picked_point<T>> pick(prepared_scene<T>& world, const extent2& size, cell pixel,
+                                            face_culling culling) {
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return std::nullopt;
   const screen_mapping<T> mapping = map_to_screen<T>(size);
   const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(size.width) / static_cast<T>(size.height));
@@ -107,11 +107,11 @@ IRG_DOOR std::optional<picked_point<T>> pick(prepared_scene<T>& world, const ext
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::optional<picked_point<T>> pick(const scene<T>& world, const extent2& size, cell pixel,
-                                                           face_culling culling) {
+[[nodiscard]] IRG_API std::optional<picked_point<T>> pick(const scene<T>& world, const extent2& size, cell pixel,
+                                                          face_culling culling) {
   prepared_scene<T> ready = prepare_scene(world);
   return pick(ready, size, pixel, culling);
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -95,25 +95,25 @@ struct prepared_scene {
   draw_workspace workspace;  // belongs to render()
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// A box around an object in the world, and the number of its triangles.
 /// cost    one pass over the positions
 template <Floating T>
-[[nodiscard]] IRG_DOOR object_extent<T> extent_of(const object<T>& o) noexcept;
+[[nodiscard]] IRG_API object_extent<T> extent_of(const object<T>& o) noexcept;
 
 /// An object made ready: moved into the world, cut into triangles, with normals where it had none.
 /// needs   a mesh whose faces have no defect that validate (mesh/validate.hpp) knows
 /// cost    linear, and ear clipping for faces of more than three corners; allocates the result
 template <Floating T>
-[[nodiscard]] IRG_DOOR prepared_object<T> prepare_object(const object<T>& o);
+[[nodiscard]] IRG_API prepared_object<T> prepare_object(const object<T>& o);
 
 /// A scene made ready, all of its objects prepared.
 /// needs   as prepare_object
 template <Floating T>
-[[nodiscard]] IRG_DOOR prepared_scene<T> prepare_scene(const scene<T>& world);
+[[nodiscard]] IRG_API prepared_scene<T> prepare_scene(const scene<T>& world);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -130,17 +130,17 @@ constexpr void prepare_rest(prepared_object<T>& to, const object<T>& from) {
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR object_extent<T> extent_of(const object<T>& o) noexcept {
+[[nodiscard]] IRG_API object_extent<T> extent_of(const object<T>& o) noexcept {
   object_extent<T> e{{}, o.shape.corners.size() - 2 * o.shape.face_count()};
   for (const point<T, 3>& p : o.shape.positions) e.bounds = bounding_box(e.bounds, transform_point(o.placement, p));
   return e;
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR prepared_object<T> prepare_object(const object<T>& o) {
+[[nodiscard]] IRG_API prepared_object<T> prepare_object(const object<T>& o) {
   prepared_object<T> made;
   made.extent = extent_of(o);
   detail::prepare_rest(made, o);
@@ -148,13 +148,13 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR prepared_scene<T> prepare_scene(const scene<T>& world) {
+[[nodiscard]] IRG_API prepared_scene<T> prepare_scene(const scene<T>& world) {
   prepared_scene<T> ready{{}, world.view, world.lights, world.ambient, world.distance, world.k, {}};
   ready.objects.reserve(world.objects.size());
   for (const object<T>& o : world.objects) ready.objects.push_back(prepare_object(o));
   return ready;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 #endif

@@ -111,22 +111,22 @@ struct window_method {
   bool finds_nearest;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 // Whether no mesh's faces have a defect.
 template <Floating T>
-IRG_DOOR bool has_valid_faces(const scene<T>& world) noexcept;
+IRG_API bool has_valid_faces(const scene<T>& world) noexcept;
 template <Floating T, class Colour, class Depth>
-IRG_DOOR render_counts render_scene(const scene<T>& world, const render_options& options,
-                                    const picture_run<Colour, Depth>& run);
+IRG_API render_counts render_scene(const scene<T>& world, const render_options& options,
+                                   const picture_run<Colour, Depth>& run);
 template <Floating T, class Colour, class Depth>
-IRG_DOOR render_counts render_by(const window_method<T>& by, const scene<T>& world, render_options options,
-                                 const picture_run<Colour, Depth>& run);
+IRG_API render_counts render_by(const window_method<T>& by, const scene<T>& world, render_options options,
+                                const picture_run<Colour, Depth>& run);
 template <Floating T, class Colour, class Depth>
-IRG_DOOR render_counts render_prepared(prepared_scene<T>& world, const render_options& options,
-                                       const picture_run<Colour, Depth>& run);
+IRG_API render_counts render_prepared(prepared_scene<T>& world, const render_options& options,
+                                      const picture_run<Colour, Depth>& run);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 
 namespace irg::inline IRG_ABI {
@@ -450,18 +450,18 @@ constexpr render_counts draw_picture(const picture_frame<T>& f, const picture_ob
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR bool has_valid_faces(const scene<T>& world) noexcept {
+IRG_API bool has_valid_faces(const scene<T>& world) noexcept {
   for (const object<T>& o : world.objects)
     if (validate_faces(o.shape).defect != mesh_defect::none) return false;
   return true;
 }
 
 template <Floating T, class Colour, class Depth>
-IRG_DOOR render_counts render_scene(const scene<T>& world, const render_options& options,
-                                    const picture_run<Colour, Depth>& run) {
+IRG_API render_counts render_scene(const scene<T>& world, const render_options& options,
+                                   const picture_run<Colour, Depth>& run) {
   const int width = width_of(run.colour), height = height_of(run.colour);
   if (width == 0 || height == 0) return {};
   std::vector<prepared_object<T>> made = extents_of<T>(world.objects);
@@ -470,8 +470,8 @@ IRG_DOOR render_counts render_scene(const scene<T>& world, const render_options&
 }
 
 template <Floating T, class Colour, class Depth>
-IRG_DOOR render_counts render_by(const window_method<T>& by, const scene<T>& world, render_options options,
-                                 const picture_run<Colour, Depth>& run) {
+IRG_API render_counts render_by(const window_method<T>& by, const scene<T>& world, render_options options,
+                                const picture_run<Colour, Depth>& run) {
   const int width = width_of(run.colour), height = height_of(run.colour);
   if (width == 0 || height == 0) return {};
   options.skip.occluded = skipping::off;
@@ -492,13 +492,13 @@ IRG_DOOR render_counts render_by(const window_method<T>& by, const scene<T>& wor
 }
 
 template <Floating T, class Colour, class Depth>
-IRG_DOOR render_counts render_prepared(prepared_scene<T>& world, const render_options& options,
-                                       const picture_run<Colour, Depth>& run) {
+IRG_API render_counts render_prepared(prepared_scene<T>& world, const render_options& options,
+                                      const picture_run<Colour, Depth>& run) {
   const int width = width_of(run.colour), height = height_of(run.colour);
   if (width == 0 || height == 0) return {};
   return draw_picture<T>({world, width, height, options}, {world.objects}, all_numbers(world.objects.size()),
                          lists_of(world.workspace), run);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -37,7 +37,7 @@ struct prepared_rooms {
   prepared_scene<T> world;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// For each cell the pixels of a picture in which something of it may be seen; an empty window where nothing can.
 /// needs   a plan without defects, its graph, a size from 1 x 1 to 65536 x 65536
@@ -48,10 +48,10 @@ inline namespace IRG_DOORS {
 /// cost    the portals that are seen, each projected once; a room is looked at again where its rectangle grows
 /// source  Luebke and Georges 1995
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
-                                                              const camera<T>& view, const extent2& size);
+[[nodiscard]] IRG_API std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
+                                                             const camera<T>& view, const extent2& size);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -79,13 +79,13 @@ constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, class Colour, class Depth>
-IRG_DOOR render_counts render_building(prepared_rooms<T>& building, const render_options& options,
-                                       const picture_run<Colour, Depth>& run);
+IRG_API render_counts render_building(prepared_rooms<T>& building, const render_options& options,
+                                      const picture_run<Colour, Depth>& run);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -203,22 +203,22 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
-                                                              const camera<T>& view, const extent2& size) {
+[[nodiscard]] IRG_API std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
+                                                             const camera<T>& view, const extent2& size) {
   IRG_EXPECTS(size.width >= 1 && size.height >= 1);
   return detail::room_windows<T>(plan, view, {0, 0, size.width, size.height}).find(doors);
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, class Colour, class Depth>
-IRG_DOOR render_counts render_building(prepared_rooms<T>& building, const render_options& options,
-                                       const picture_run<Colour, Depth>& run) {
+IRG_API render_counts render_building(prepared_rooms<T>& building, const render_options& options,
+                                      const picture_run<Colour, Depth>& run) {
   const int width = width_of(run.colour), height = height_of(run.colour);
   if (width == 0 || height == 0) return {};
   std::vector<std::uint32_t> candidates;
@@ -238,5 +238,5 @@ IRG_DOOR render_counts render_building(prepared_rooms<T>& building, const render
   return stats;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

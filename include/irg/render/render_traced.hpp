@@ -80,13 +80,13 @@ template <Floating T, RowRaster Colour, Executor E = sequential>
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, class Colour>
-IRG_DOOR render_counts trace_picture(const scene<T>& world, Colour& colour, const traced_options<T>& options,
-                                     const executor_ref& executor);
+IRG_API render_counts trace_picture(const scene<T>& world, Colour& colour, const traced_options<T>& options,
+                                    const executor_ref& executor);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -145,11 +145,11 @@ constexpr void encode_means(Colour& colour, const image<rgb<float>>& light, int 
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, class Colour>
-IRG_DOOR render_counts trace_picture(const scene<T>& world, Colour& colour, const traced_options<T>& options,
-                                     const executor_ref& executor) {
+IRG_API render_counts trace_picture(const scene<T>& world, Colour& colour, const traced_options<T>& options,
+                                    const executor_ref& executor) {
   if (width_of(colour) == 0 || height_of(colour) == 0) return {};
   const int longer = maximum(width_of(colour), height_of(colour));
   const int samples = clamped(minimum(options.samples, 65536 / longer), 1, 16);
@@ -185,5 +185,5 @@ IRG_DOOR render_counts trace_picture(const scene<T>& world, Colour& colour, cons
   return stats;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

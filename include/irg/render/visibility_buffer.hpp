@@ -85,14 +85,14 @@ constexpr render_counts draw_visibility(render_target<Ids, Depth> target, const 
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Order, Floating T>
-IRG_DOOR std::optional<pixel_weights<float>> weights_in_batch(const triangle_batch<T>& batch,
-                                                              const screen_mapping<T>& mapping, std::uint32_t number,
-                                                              const cell& at);
+IRG_API std::optional<pixel_weights<float>> weights_in_batch(const triangle_batch<T>& batch,
+                                                             const screen_mapping<T>& mapping, std::uint32_t number,
+                                                             const cell& at);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -135,12 +135,12 @@ constexpr std::optional<pixel_weights<float>> weights_of_pixel(const triangle_co
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Order, Floating T>
-IRG_DOOR std::optional<pixel_weights<float>> weights_in_batch(const triangle_batch<T>& batch,
-                                                              const screen_mapping<T>& mapping, std::uint32_t number,
-                                                              const cell& at) {
+IRG_API std::optional<pixel_weights<float>> weights_in_batch(const triangle_batch<T>& batch,
+                                                             const screen_mapping<T>& mapping, std::uint32_t number,
+                                                             const cell& at) {
   const std::uint32_t i = number - batch.first_number;
   if (number < batch.first_number || i >= batch.triangles.size()) return std::nullopt;
   if (!has_vertices(batch, i)) return std::nullopt;
@@ -163,5 +163,5 @@ IRG_DOOR std::optional<pixel_weights<float>> weights_in_batch(const triangle_bat
   return nearest;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

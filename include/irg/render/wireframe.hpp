@@ -92,14 +92,14 @@ IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noe
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 // The lines of a mesh's edges in a picture of this size, each once; what is passed over is counted.
 template <Floating T>
-IRG_DOOR std::vector<line_on_screen> lines_of_faces(const projected_mesh<T>& drawn, face_culling culling,
-                                                    const cell_window& picture, render_counts& counts);
+IRG_API std::vector<line_on_screen> lines_of_faces(const projected_mesh<T>& drawn, face_culling culling,
+                                                   const cell_window& picture, render_counts& counts);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 
 namespace irg::inline IRG_ABI {
@@ -179,11 +179,11 @@ constexpr bool lies_beyond(const Drawn& drawn, std::size_t f, const cell_window&
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR std::vector<line_on_screen> lines_of_faces(const projected_mesh<T>& drawn, face_culling culling,
-                                                    const cell_window& picture, render_counts& counts) {
+IRG_API std::vector<line_on_screen> lines_of_faces(const projected_mesh<T>& drawn, face_culling culling,
+                                                   const cell_window& picture, render_counts& counts) {
   const auto& [vertices, m, mapping, frustum] = drawn;
   const bool may_skip = frustum == skipping::on && vertices.any.outside != 0;
   std::vector<std::uint64_t> edges;
@@ -209,6 +209,6 @@ IRG_DOOR std::vector<line_on_screen> lines_of_faces(const projected_mesh<T>& dra
   return lines;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

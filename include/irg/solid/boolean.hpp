@@ -106,14 +106,14 @@ template <Floating T>
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
 template <Floating T>
-IRG_DOOR solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies,
-                                                   const function_ref<bool(const std::vector<unsigned char>&)>& is_in);
+IRG_API solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies,
+                                                  const function_ref<bool(const std::vector<unsigned char>&)>& is_in);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -505,11 +505,11 @@ constexpr solid_boolean_counts counts_of(const Cut& cut, const body_triangles& b
 
 }  // namespace detail::inline IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies,
-                                                   const function_ref<bool(const std::vector<unsigned char>&)>& is_in) {
+IRG_API solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies,
+                                                  const function_ref<bool(const std::vector<unsigned char>&)>& is_in) {
   const auto b = make_body_triangles(bodies);
   switch (b.fault) {
     case surface_fault::none: break;
@@ -532,6 +532,6 @@ IRG_DOOR solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<
   return out;
 }
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 }  // namespace irg
 #endif

@@ -35,7 +35,7 @@ enum class [[nodiscard]] outward_status {
   done [[deprecated("irg: done is now ok")]] = ok
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Turns the faces of a closed surface so that they are counter-clockwise seen from outside, whichever way each of them
 /// ran before: those of shells within others so that what lies between is inside.
@@ -46,9 +46,9 @@ inline namespace IRG_DOORS {
 /// exact   always, for the triangles that triangulated() makes of the faces
 /// cost    O(n log n), and for each shell a pass over the others: exact volumes and one ray
 template <Floating T>
-IRG_DOOR outward_status orient_outward(mesh<T>& m);
+IRG_API outward_status orient_outward(mesh<T>& m);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -163,10 +163,10 @@ constexpr bool lies_within(const mesh<T>& shell, const mesh<T>& other) {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR outward_status orient_outward(mesh<T>& m) {
+IRG_API outward_status orient_outward(mesh<T>& m) {
   mesh<T> turned = m;
   if (orient_faces(turned) != orient_status::ok) return outward_status::no_surface;
   const auto half_edges = to_half_edges(turned);
@@ -194,5 +194,5 @@ IRG_DOOR outward_status orient_outward(mesh<T>& m) {
   return outward_status::ok;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -30,7 +30,7 @@ struct face_pair {
   constexpr auto operator<=>(const face_pair&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// All pairs of faces that have a point in common which is not a corner of both: faces that cross, touch each other's
 /// inside or sides, lie on each other.
@@ -42,9 +42,9 @@ inline namespace IRG_DOORS {
 ///         for fans, cones, bipyramids and poles, where thousands meet round one corner or side, as measured to 10^5;
 ///         bundles that no plane tells apart cost the pairs of triangles whose boxes meet
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<face_pair> self_intersections(const mesh<T>& m);
+[[nodiscard]] IRG_API std::vector<face_pair> self_intersections(const mesh<T>& m);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace detail {
@@ -477,10 +477,10 @@ constexpr std::vector<face_pair> meeting_faces(const body_triangles& b, std::siz
 }  // namespace IRG_ABI
 }  // namespace detail
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<face_pair> self_intersections(const mesh<T>& m) {
+[[nodiscard]] IRG_API std::vector<face_pair> self_intersections(const mesh<T>& m) {
   detail::body_triangles b;
   detail::append_body(b, m);
   if (b.fault != detail::surface_fault::none) return {};
@@ -492,6 +492,6 @@ template <Floating T>
   return found;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 #endif
 }  // namespace irg

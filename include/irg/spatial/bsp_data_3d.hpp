@@ -73,15 +73,15 @@ struct bsp_fault {
   friend constexpr bool operator==(const bsp_fault&, const bsp_fault&) = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The first thing by which these numbers are no tree that can be visited: with none, nothing is read out of bounds and
 /// every visit ends. That the pieces lie where their nodes say is not looked into.
 /// cost    linear; allocates a byte a node
 template <Floating T>
-[[nodiscard]] IRG_DOOR bsp_fault find_bsp_fault(const bsp_data_3d<T>& d);
+[[nodiscard]] IRG_API bsp_fault find_bsp_fault(const bsp_data_3d<T>& d);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -129,10 +129,10 @@ constexpr bsp_fault find_node_fault(const bsp_data_3d<T>& d) {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR bsp_fault find_bsp_fault(const bsp_data_3d<T>& d) {
+[[nodiscard]] IRG_API bsp_fault find_bsp_fault(const bsp_data_3d<T>& d) {
   for (std::size_t i = 0; i < d.triangles.size(); ++i)
     for (const std::uint32_t v : d.triangles[i].v)
       if (v >= d.vertices.size()) return {bsp_defect::index, bsp_part::triangle, i};
@@ -152,5 +152,5 @@ template <Floating T>
   return {};
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

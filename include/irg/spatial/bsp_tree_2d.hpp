@@ -51,15 +51,15 @@ struct growing_bsp_2d {
   std::size_t splits = 0, left_out = 0;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 // Makes the tree of the segments that are there.
 template <Floating T>
-IRG_DOOR void grow_bsp_2d(growing_bsp_2d<T>& tree, const bsp_options& choice);
+IRG_API void grow_bsp_2d(growing_bsp_2d<T>& tree, const bsp_options& choice);
 template <Floating T>
-IRG_DOOR segment<T, 2> rounded_piece(const growing_bsp_2d<T>& tree, const bsp_piece_2d& p) noexcept;
+IRG_API segment<T, 2> rounded_piece(const growing_bsp_2d<T>& tree, const bsp_piece_2d& p) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 /// The tree of some segments.
@@ -281,15 +281,15 @@ struct bsp_growth_2d {
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void grow_bsp_2d(growing_bsp_2d<T>& tree, const bsp_options& choice) {
+IRG_API void grow_bsp_2d(growing_bsp_2d<T>& tree, const bsp_options& choice) {
   bsp_growth_2d<T>{tree}.run(choice);
 }
 
 template <Floating T>
-IRG_DOOR segment<T, 2> rounded_piece(const growing_bsp_2d<T>& tree, const bsp_piece_2d& p) noexcept {
+IRG_API segment<T, 2> rounded_piece(const growing_bsp_2d<T>& tree, const bsp_piece_2d& p) noexcept {
   const auto& all = tree.segments;
   const segment<T, 2>& s = all[p.segment];
   const auto end = [&](std::uint32_t cut, const point<T, 2>& given) {
@@ -298,6 +298,6 @@ IRG_DOOR segment<T, 2> rounded_piece(const growing_bsp_2d<T>& tree, const bsp_pi
   return {end(p.from, s.a), end(p.to, s.b)};
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

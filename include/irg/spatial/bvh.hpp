@@ -51,7 +51,7 @@ template <Floating T, Executor E = sequential>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Fits the tree to boxes that have moved: what is in a node stays in it.
 /// needs   as many boxes as the tree was built of. Those that were left out stay out; those that are to be left out now
@@ -61,17 +61,17 @@ inline namespace IRG_DOORS {
 /// exact   the same for every compiler and instruction set
 /// cost    linear, a tenth of building it; nothing allocated
 template <Floating T>
-IRG_DOOR void refit(bvh& tree, std::span<const box<T, 3>> boxes);
+IRG_API void refit(bvh& tree, std::span<const box<T, 3>> boxes);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR bvh build_box_tree(std::span<const box<T, 3>> boxes, const bvh_options& config, const executor_ref& executor);
+IRG_API bvh build_box_tree(std::span<const box<T, 3>> boxes, const bvh_options& config, const executor_ref& executor);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -333,19 +333,19 @@ constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_options& co
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR bvh build_box_tree(std::span<const box<T, 3>> boxes, const bvh_options& config, const executor_ref& executor) {
+IRG_API bvh build_box_tree(std::span<const box<T, 3>> boxes, const bvh_options& config, const executor_ref& executor) {
   return build_tree(boxes, config, executor, [](double) { return box_cut{}; });
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void refit(bvh& tree, std::span<const box<T, 3>> boxes) {
+IRG_API void refit(bvh& tree, std::span<const box<T, 3>> boxes) {
   detail::rescale(tree, boxes);
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
     bvh_node& node = tree.nodes[n];
@@ -364,5 +364,5 @@ IRG_DOOR void refit(bvh& tree, std::span<const box<T, 3>> boxes) {
   }
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -24,7 +24,7 @@
 #include <irg/spatial/detail/ray_shear.hpp>
 #endif
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// Where the ray crosses the triangle abc.
 /// needs   finite corners
@@ -39,11 +39,11 @@ namespace irg::inline IRG_DOORS {
 ///         numbers are beyond 2^250
 /// source  Woop, Benthin and Wald 2013 (the shear); Edelsbrunner and Muecke 1990 (the moved origin)
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
-                                                                      const point<T, 3>& b,
-                                                                      const point<T, 3>& c) noexcept;
+[[nodiscard]] IRG_API std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
+                                                                     const point<T, 3>& b,
+                                                                     const point<T, 3>& c) noexcept;
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -264,12 +264,12 @@ IRG_INLINE constexpr timed_crossing cross_in_time(const std::same_as<triangle_ra
 }  // namespace IRG_ABI
 }  // namespace detail
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
-                                                                      const point<T, 3>& b,
-                                                                      const point<T, 3>& c) noexcept {
+[[nodiscard]] IRG_API std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
+                                                                     const point<T, 3>& b,
+                                                                     const point<T, 3>& c) noexcept {
   if (r.empty()) return std::nullopt;
   const auto q = detail::made_ready(r);
   const detail::space_point p[3] = {detail::exactly_widened(a), detail::exactly_widened(b), detail::exactly_widened(c)};
@@ -282,6 +282,6 @@ template <Floating T>
   return x;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 #endif

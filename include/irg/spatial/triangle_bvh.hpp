@@ -30,14 +30,14 @@ namespace detail {
 struct triangle_blocks;
 }  // namespace detail
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR bvh build_triangle_tree(std::span<const box<T, 3>> boxes, const bvh_options& config,
-                                 const executor_ref& executor,
-                                 const function_ref<std::array<point<T, 3>, 3>(std::size_t)>& at);
+IRG_API bvh build_triangle_tree(std::span<const box<T, 3>> boxes, const bvh_options& config,
+                                const executor_ref& executor,
+                                const function_ref<std::array<point<T, 3>, 3>(std::size_t)>& at);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 /// A triangle that a ray crosses, by its number, and where.
 struct triangle_hit {
@@ -151,7 +151,7 @@ struct triangle_blocks {
 
 }  // namespace detail
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The triangle that the ray crosses first.
 /// shape   rays of floats or doubles against triangles of either
@@ -161,8 +161,8 @@ inline namespace IRG_DOORS {
 /// cost    some log n boxes and triangles; nothing allocated. With ray_counts, what the ray asked is added to them;
 ///         they cost nothing where they are not asked for
 template <Floating T, Floating U, RayCounts C = const uncounted_rays>
-[[nodiscard]] IRG_DOOR std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                                               C& counts = not_counted) noexcept;
+[[nodiscard]] IRG_API std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                                              C& counts = not_counted) noexcept;
 
 /// The triangles that rays cross first, hits[i] that of rays[i].
 /// shape   rays that follow each other should start near each other and go about the same way, as those of a square of
@@ -172,17 +172,17 @@ template <Floating T, Floating U, RayCounts C = const uncounted_rays>
 /// cost    of 16 such rays some three times that of one; of others, that of each. ray_counts count once what 16 rays
 ///         come to as one
 template <Floating T, Floating U, RayCounts C = const uncounted_rays>
-IRG_DOOR void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
-                           std::span<std::optional<triangle_hit>> hits, C& counts = not_counted);
+IRG_API void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
+                          std::span<std::optional<triangle_hit>> hits, C& counts = not_counted);
 
 /// Whether the ray crosses a triangle; with `admits`, one of those for which admits(number) holds.
 /// exact   as closest_hit
 /// cost    as closest_hit, and as a rule less
 template <Floating T, Floating U, RayCounts C = const uncounted_rays>
-[[nodiscard]] IRG_DOOR bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                    C& counts = not_counted) noexcept;
+[[nodiscard]] IRG_API bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                   C& counts = not_counted) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -200,16 +200,16 @@ constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Si
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, Floating U, RayCounts C>
-IRG_DOOR bool is_admitted_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                              const function_ref<bool(std::uint32_t)>& admits, C& counts);
+IRG_API bool is_admitted_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                             const function_ref<bool(std::uint32_t)>& admits, C& counts);
 template <Floating T, Floating U, RayCounts C>
-IRG_DOOR void each_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                       const function_ref<void(const triangle_hit&)>& sink, C& counts);
+IRG_API void each_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                      const function_ref<void(const triangle_hit&)>& sink, C& counts);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -502,38 +502,38 @@ constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>>
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR bvh build_triangle_tree(std::span<const box<T, 3>> boxes, const bvh_options& config,
-                                 const executor_ref& executor,
-                                 const function_ref<std::array<point<T, 3>, 3>(std::size_t)>& at) {
+IRG_API bvh build_triangle_tree(std::span<const box<T, 3>> boxes, const bvh_options& config,
+                                const executor_ref& executor,
+                                const function_ref<std::array<point<T, 3>, 3>(std::size_t)>& at) {
   using triangle_at = function_ref<std::array<point<T, 3>, 3>(std::size_t)>;
   return build_tree(boxes, config, executor, [&at](double scale) { return triangle_cut<triangle_at>{at, scale}; });
 }
 
 template <Floating T, Floating U, RayCounts C>
-IRG_DOOR bool is_admitted_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                              const function_ref<bool(std::uint32_t)>& admits, C& counts) {
+IRG_API bool is_admitted_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                             const function_ref<bool(std::uint32_t)>& admits, C& counts) {
   return crosses_any(triangles.tree(), triangle_blocks::of(triangles), r, counts, admits);
 }
 
 template <Floating T, Floating U, RayCounts C>
-IRG_DOOR void each_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                       const function_ref<void(const triangle_hit&)>& sink, C& counts) {
+IRG_API void each_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                      const function_ref<void(const triangle_hit&)>& sink, C& counts) {
   const std::span<const triangle_block<T>> blocks = triangle_blocks::of(triangles);
   each_crossing(triangles.tree(), blocks, r, counts, [&](const triangle_ray& q, const first_crossing& x) {
     sink(triangle_hit{x.number, finished_crossing(q, blocks, x)});
   });
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T, Floating U, RayCounts C>
-[[nodiscard]] IRG_DOOR std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                                               C& counts) noexcept {
+[[nodiscard]] IRG_API std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                                              C& counts) noexcept {
   std::optional<triangle_hit> hit;
   detail::find_first_crossing(triangles.tree(), detail::triangle_blocks::of(triangles), r, counts,
                               [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
@@ -544,8 +544,8 @@ template <Floating T, Floating U, RayCounts C>
 }
 
 template <Floating T, Floating U, RayCounts C>
-IRG_DOOR void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
-                           std::span<std::optional<triangle_hit>> hits, C& counts) {
+IRG_API void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
+                          std::span<std::optional<triangle_hit>> hits, C& counts) {
   IRG_EXPECTS(rays.size() == hits.size());
   std::size_t i = 0;
   for (; i < rays.size(); ++i) {
@@ -567,10 +567,10 @@ IRG_DOOR void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray
 }
 
 template <Floating T, Floating U, RayCounts C>
-[[nodiscard]] IRG_DOOR bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, C& counts) noexcept {
+[[nodiscard]] IRG_API bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, C& counts) noexcept {
   return detail::crosses_any(triangles.tree(), detail::triangle_blocks::of(triangles), r, counts,
                              [](std::uint32_t) { return true; });
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

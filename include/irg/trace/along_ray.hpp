@@ -25,14 +25,14 @@ struct free_run {
   bool operator==(const free_run&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// All triangles that a ray crosses, in the order in which it does.
 /// gives   of those whose times are one double the lower number first
 /// exact   which are crossed, as intersect_triangle; the order is that of the rounded times
 /// cost    as all_hits, and sorting; allocates the result
 template <Floating T, Floating U>
-[[nodiscard]] IRG_DOOR std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r);
+[[nodiscard]] IRG_API std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r);
 
 /// How many steps, of so many of the ray's direction, can be taken from its beginning before something is crossed.
 /// gives   at most 2^53; 0 where a step is not positive or infinite
@@ -40,8 +40,8 @@ template <Floating T, Floating U>
 ///         times until 1
 /// cost    as closest_hit
 template <Floating T, Floating U>
-[[nodiscard]] IRG_DOOR std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                                  double step) noexcept;
+[[nodiscard]] IRG_API std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                                 double step) noexcept;
 
 /// The longest part of a ray that nothing crosses, and how many steps of the given length it has room for: the greatest
 /// number of segments in a row that see each other.
@@ -51,9 +51,9 @@ template <Floating T, Floating U>
 /// cost    as sorted_hits
 /// source  irg's own: the task is that of Fabris 2012
 template <Floating T, Floating U>
-[[nodiscard]] IRG_DOOR free_run longest_free_run(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step);
+[[nodiscard]] IRG_API free_run longest_free_run(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -108,10 +108,10 @@ constexpr std::int64_t whole_steps(std::same_as<double> auto from, double to, do
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T, Floating U>
-[[nodiscard]] IRG_DOOR std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r) {
+[[nodiscard]] IRG_API std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r) {
   std::vector<triangle_hit> hits;
   all_hits(triangles, r, [&](const triangle_hit& h) { hits.push_back(h); });
   std::sort(hits.begin(), hits.end(), [](const triangle_hit& a, const triangle_hit& b) {
@@ -121,8 +121,8 @@ template <Floating T, Floating U>
 }
 
 template <Floating T, Floating U>
-[[nodiscard]] IRG_DOOR std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                                  double step) noexcept {
+[[nodiscard]] IRG_API std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                                 double step) noexcept {
   if (r.empty()) return 0;
   const double low = r.low < U(0) ? 0.0 : static_cast<double>(r.low);
   const auto hit = closest_hit(triangles, r);
@@ -130,7 +130,7 @@ template <Floating T, Floating U>
 }
 
 template <Floating T, Floating U>
-[[nodiscard]] IRG_DOOR free_run longest_free_run(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step) {
+[[nodiscard]] IRG_API free_run longest_free_run(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step) {
   if (r.empty()) return {};
   double from = r.low < U(0) ? 0.0 : static_cast<double>(r.low);
   free_run best{from, from, 0};
@@ -143,6 +143,6 @@ template <Floating T, Floating U>
   return best;
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 #endif

@@ -45,15 +45,15 @@ struct path_emitters {
   T area = T(0), scale = T(0);  // areas are times scale^2
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR path_emitters<T> find_emitters(const ray_world<T>& world);
+IRG_API path_emitters<T> find_emitters(const ray_world<T>& world);
 template <Floating T>
-IRG_DOOR rgb<T> mean_of_paths(const ray_world<T>& world, const path_emitters<T>& emitters, const ray<T, 3>& r,
-                              const path_options& options, std::uint64_t stream) noexcept;
+IRG_API rgb<T> mean_of_paths(const ray_world<T>& world, const path_emitters<T>& emitters, const ray<T, 3>& r,
+                             const path_options& options, std::uint64_t stream) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 /// A world made ready for paths: its emitters.
@@ -153,10 +153,10 @@ constexpr rgb<T> light_of_path(const ray_world<T>& world, const path_emitters<T>
 
 }  // namespace detail::inline IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR path_emitters<T> find_emitters(const ray_world<T>& world) {
+IRG_API path_emitters<T> find_emitters(const ray_world<T>& world) {
   path_emitters<T> out;
   const auto each_emitter = [&world](const auto& use) {
     for (std::uint32_t b = 0; b < world.body_count(); ++b) {
@@ -185,8 +185,8 @@ IRG_DOOR path_emitters<T> find_emitters(const ray_world<T>& world) {
 }
 
 template <Floating T>
-IRG_DOOR rgb<T> mean_of_paths(const ray_world<T>& world, const path_emitters<T>& emitters, const ray<T, 3>& r,
-                              const path_options& options, std::uint64_t stream) noexcept {
+IRG_API rgb<T> mean_of_paths(const ray_world<T>& world, const path_emitters<T>& emitters, const ray<T, 3>& r,
+                             const path_options& options, std::uint64_t stream) noexcept {
   rgb<T> sum{};
   const int paths = options.paths < 1 ? 1 : options.paths;
   path_numbers numbers(options.seed * 0xd1342543de82ef95u + stream * 0x2545f4914f6cdd1du);
@@ -195,6 +195,6 @@ IRG_DOOR rgb<T> mean_of_paths(const ray_world<T>& world, const path_emitters<T>&
   return {product(sum.r, share), product(sum.g, share), product(sum.b, share)};
 }
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 }  // namespace irg
 #endif

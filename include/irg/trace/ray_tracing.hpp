@@ -25,15 +25,15 @@
 
 namespace irg {
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 // The numbers of the faces that the window's pixels see.
 // needs   faces with an area that reach into the window
 template <class Order>
-IRG_DOOR void trace_faces(const std::vector<screen_face>& list, const cell_window& window, image<std::uint32_t>& ids,
-                          draw_counts& counts);
+IRG_API void trace_faces(const std::vector<screen_face>& list, const cell_window& window, image<std::uint32_t>& ids,
+                         draw_counts& counts);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 /// A hidden-surface method: each pixel asks the faces over it.
 /// shape   as ray_casting; counts.tested counts the faces that rays meet, counts.ties the equal depths among them
@@ -62,11 +62,11 @@ struct ray_tracing {
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Order>
-IRG_DOOR void trace_faces(const std::vector<screen_face>& list, const cell_window& window, image<std::uint32_t>& ids,
-                          draw_counts& counts) {
+IRG_API void trace_faces(const std::vector<screen_face>& list, const cell_window& window, image<std::uint32_t>& ids,
+                         draw_counts& counts) {
   std::vector<box<double, 3>> boxes;
   for (const screen_face& f : list) {
     const cell_window w = intersect(f.coverage.bounds, window);
@@ -89,5 +89,5 @@ IRG_DOOR void trace_faces(const std::vector<screen_face>& list, const cell_windo
     }
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

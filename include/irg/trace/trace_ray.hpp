@@ -66,7 +66,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// What of a lamp's light arrives at a point beside a surface: 1 in each channel where nothing is between, 0 behind
 /// something opaque, and what transparent bodies let through, straight on.
@@ -74,20 +74,20 @@ inline namespace IRG_DOORS {
 ///         lamps that are infinitely far away
 /// exact   what is between, as any_hit
 template <Floating T>
-[[nodiscard]] IRG_DOOR rgb<T> light_through(const ray_world<T>& world, const point<T, 3>& from,
-                                            const vec<T, 3>& to_light, T share) noexcept;
+[[nodiscard]] IRG_API rgb<T> light_through(const ray_world<T>& world, const point<T, 3>& from,
+                                           const vec<T, 3>& to_light, T share) noexcept;
 
 /// The light of a surface's own: Phong's model with the lamps that reach it, as an eye sees it.
 /// gives   what phong_model gives, bit by bit, where shadows are off. A lamp behind the triangle does not reach it
 template <Floating T>
-[[nodiscard]] IRG_DOOR rgb<T> light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
-                                               const point<T, 3>& eye, shadow_rays shadows = shadow_rays::on) noexcept;
+[[nodiscard]] IRG_API rgb<T> light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
+                                              const point<T, 3>& eye, shadow_rays shadows = shadow_rays::on) noexcept;
 
 /// The light that comes from a surface's point to an eye: its own, and what it mirrors and lets through.
 /// shape   as trace_ray, for a point that is known
 template <Floating T>
-[[nodiscard]] IRG_DOOR rgb<T> trace_from(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
-                                         const trace_options<T>& limits = {}) noexcept;
+[[nodiscard]] IRG_API rgb<T> trace_from(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
+                                        const trace_options<T>& limits = {}) noexcept;
 
 /// The light that comes along a ray to its origin.
 /// gives   the background where it meets nothing; never NaN for finite worlds, unless light times what surfaces leave
@@ -99,19 +99,19 @@ template <Floating T>
 /// cost    at most 2^(bounces + 1) rays, and for each one to every lamp; nothing allocated
 /// source  Whitted 1980
 template <Floating T>
-[[nodiscard]] IRG_DOOR rgb<T> trace_ray(const ray_world<T>& world, const ray<T, 3>& r,
-                                        const trace_options<T>& limits = {}) noexcept;
+[[nodiscard]] IRG_API rgb<T> trace_ray(const ray_world<T>& world, const ray<T, 3>& r,
+                                       const trace_options<T>& limits = {}) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
 namespace irg {
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR rgb<T> light_through(const ray_world<T>& world, const point<T, 3>& from,
-                                            const vec<T, 3>& to_light, T share) noexcept {
+[[nodiscard]] IRG_API rgb<T> light_through(const ray_world<T>& world, const point<T, 3>& from,
+                                           const vec<T, 3>& to_light, T share) noexcept {
   const ray<T, 3> r{from, to_light, T(0), share};
   rgb<T> through{T(1), T(1), T(1)};
   if (!world.is_transparent()) return any_hit(world.triangles(), r) ? rgb<T>{} : through;
@@ -122,8 +122,8 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR rgb<T> light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
-                                               const point<T, 3>& eye, shadow_rays shadows) noexcept {
+[[nodiscard]] IRG_API rgb<T> light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
+                                              const point<T, 3>& eye, shadow_rays shadows) noexcept {
   const material<T>& surface = world.body(s.body).surface;
   if (shadows == shadow_rays::off) return phong_model(surface, world.light(), eye, {s.at, s.normal});
   const point<T, 3> from = detail::offset_origin(s, s.face);
@@ -137,7 +137,7 @@ template <Floating T>
   });
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -197,11 +197,11 @@ inline constexpr int most_bounces = 32;
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR rgb<T> trace_from(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
-                                         const trace_options<T>& limits) noexcept {
+[[nodiscard]] IRG_API rgb<T> trace_from(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
+                                        const trace_options<T>& limits) noexcept {
   rgb<T> sum = light_of_surface(world, s, eye, limits.shadows);
   const int bounces = limits.bounces < detail::most_bounces ? limits.bounces : detail::most_bounces;
   if (bounces <= 0) return sum;
@@ -214,12 +214,12 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR rgb<T> trace_ray(const ray_world<T>& world, const ray<T, 3>& r,
-                                        const trace_options<T>& limits) noexcept {
+[[nodiscard]] IRG_API rgb<T> trace_ray(const ray_world<T>& world, const ray<T, 3>& r,
+                                       const trace_options<T>& limits) noexcept {
   const auto s = world.meet(r);
   return s ? trace_from(world, *s, r.origin, limits) : world.background();
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 #endif

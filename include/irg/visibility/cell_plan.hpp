@@ -90,12 +90,12 @@ struct door_lists {
 
 struct portal_lists;
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR door_lists<T> door_lists_of(const cell_plan<T>& plan);
+IRG_API door_lists<T> door_lists_of(const cell_plan<T>& plan);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 inline namespace IRG_ABI {
@@ -133,16 +133,16 @@ struct portal_lists {
 
 }  // namespace detail
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The first thing that is wrong with a plan, cells first; `none` when its portals and cells keep what cell_plan says.
 /// exact   for all coordinates, infinities and NaN included
 /// cost    the corners of both cells for each portal, and for each cell the square of its portals; allocates for their
 ///         lists
 template <Floating T>
-[[nodiscard]] IRG_DOOR plan_finding validate(const cell_plan<T>& plan);
+[[nodiscard]] IRG_API plan_finding validate(const cell_plan<T>& plan);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -242,10 +242,10 @@ constexpr std::span<const doorway<T>> doors_at(const door_lists<T>& lists, std::
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR door_lists<T> door_lists_of(const cell_plan<T>& plan) {
+IRG_API door_lists<T> door_lists_of(const cell_plan<T>& plan) {
   door_lists<T> lists{std::vector<std::uint32_t>(plan.cells.size() + 1, std::uint32_t{0})};
   auto& [first, doors] = lists;
   for (const plan_portal<T>& p : plan.portals) ++first[p.first + 1], ++first[p.second + 1];
@@ -263,12 +263,12 @@ IRG_DOOR door_lists<T> door_lists_of(const cell_plan<T>& plan) {
   return lists;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR plan_finding validate(const cell_plan<T>& plan) {
+[[nodiscard]] IRG_API plan_finding validate(const cell_plan<T>& plan) {
   if (plan.cells.size() > 0x7fffffff) return {plan_defect::too_many_cells, 0x7fffffff, 0};
   for (std::size_t c = 0; c < plan.cells.size(); ++c)
     if (const plan_defect d = detail::defect_of_cell(plan.cells[c]); d != plan_defect::none)
@@ -285,5 +285,5 @@ template <Floating T>
   return {};
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -35,7 +35,7 @@ struct bsp_cells {
   bool operator==(const bsp_cells&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The cells and portals of what is in a window, by a BSP tree of its walls. All cells have the heights 0 and 1.
 /// needs   a tree of these walls; a window with finite corners that has an area, coordinates below 2^500
@@ -46,11 +46,11 @@ inline namespace IRG_DOORS {
 /// cost    the sides of each leaf for each node above it; allocates the result
 /// source  Airey 1990; Teller and Sequin 1991
 template <Floating T>
-[[nodiscard]] IRG_DOOR bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
-                                                   std::span<const std::type_identity_t<segment<T, 2>>> walls,
-                                                   const box<T, 2>& window);
+[[nodiscard]] IRG_API bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
+                                                  std::span<const std::type_identity_t<segment<T, 2>>> walls,
+                                                  const box<T, 2>& window);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -303,17 +303,17 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
-                                                   std::span<const std::type_identity_t<segment<T, 2>>> walls,
-                                                   const box<T, 2>& window) {
+[[nodiscard]] IRG_API bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
+                                                  std::span<const std::type_identity_t<segment<T, 2>>> walls,
+                                                  const box<T, 2>& window) {
   IRG_EXPECTS(window.low.x < window.high.x && window.low.y < window.high.y);
   bsp_cells<T> out;
   out.plan = detail::bsp_cell_builder<T>(tree, walls, window).run(out.cut, out.left_out);
   return out;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -36,7 +36,7 @@ struct cut_segment {
   bool operator==(const cut_segment&) const = default;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Cuts the edges of a ring and the obstacles that cross them, in the points nearest to where they do: a light that
 /// walls cut, for weak_visibility.
@@ -46,15 +46,15 @@ inline namespace IRG_DOORS {
 /// exact   which ones cross, and which lie along an edge; where is correctly rounded
 /// cost    the edges times the obstacles, a few times over; allocates
 template <Floating T>
-[[nodiscard]] IRG_DOOR cut_source<T> cut_source_rounded(std::span<const point<T, 2>> ring,
-                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles);
+[[nodiscard]] IRG_API cut_source<T> cut_source_rounded(std::span<const point<T, 2>> ring,
+                                                       std::span<const std::type_identity_t<segment<T, 2>>> obstacles);
 
 /// The same for a segment that shines: its pieces are a source of weak_visibility as a list.
 template <Floating T>
-[[nodiscard]] IRG_DOOR cut_segment<T> cut_segment_rounded(
+[[nodiscard]] IRG_API cut_segment<T> cut_segment_rounded(
     const segment<T, 2>& source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -139,18 +139,18 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR cut_source<T> cut_source_rounded(
-    std::span<const point<T, 2>> ring, std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
+[[nodiscard]] IRG_API cut_source<T> cut_source_rounded(std::span<const point<T, 2>> ring,
+                                                       std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   detail::source_cutter<T> all(ring, obstacles);
   all.run();
   return {std::move(all.chain), std::move(all.obstacles)};
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR cut_segment<T> cut_segment_rounded(
+[[nodiscard]] IRG_API cut_segment<T> cut_segment_rounded(
     const segment<T, 2>& source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   const point<T, 2> ends[] = {source.a, source.b};
   detail::source_cutter<T> all(ends, obstacles);
@@ -161,5 +161,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -125,13 +125,13 @@ template <CellGrid G>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Memory>
-IRG_DOOR void add_seen(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
-                       const view_options& o);
+IRG_API void add_seen(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
+                      const view_options& o);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -473,11 +473,11 @@ constexpr void sweep(const walled_grid& map, const cell3& viewer, const view_opt
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Memory>
-IRG_DOOR void add_seen(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
-                       const view_options& o) {
+IRG_API void add_seen(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
+                      const view_options& o) {
   IRG_EXPECTS(seen.extent() == map.extent());
   if (!map.extent().holds(viewer) || o.radius < 0) return;
   const bool tested = o.rules.ends == end_cells::tested;
@@ -491,5 +491,5 @@ IRG_DOOR void add_seen(const walled_grid& map, const cell3& viewer, cell_grid& s
   });
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

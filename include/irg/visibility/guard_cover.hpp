@@ -49,7 +49,7 @@ struct guard_cover {
   IRG_INLINE constexpr explicit operator bool() const noexcept { return status == guard_status::ok; }
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Corners of the plan from which together all of it is seen, and the parts that prove it.
 /// shape   rings of any direction and in any order; a ring inside another one is a hole, one inside a hole a room
@@ -63,9 +63,9 @@ inline namespace IRG_DOORS {
 ///         plans of some dozens of corners
 /// source  Ghosh 1987 (greedy over the parts that corners see)
 template <Floating T>
-[[nodiscard]] IRG_DOOR guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings);
+[[nodiscard]] IRG_API guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -326,12 +326,12 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings) {
+[[nodiscard]] IRG_API guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings) {
   return detail::guard_set_cover<T>().run(rings);
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -110,14 +110,14 @@ private:
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <class Sets, Floating T>
-IRG_DOOR Sets sets_seen(const door_lists<T>& lists, const visible_set_options& options);
+IRG_API Sets sets_seen(const door_lists<T>& lists, const visible_set_options& options);
 template <class Sets, Floating T>
-IRG_DOOR Sets sets_connected(const door_lists<T>& lists, std::uint32_t most_portals);
+IRG_API Sets sets_connected(const door_lists<T>& lists, std::uint32_t most_portals);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -175,10 +175,10 @@ constexpr void mark_connected(const door_lists<T>& lists, int row, std::uint32_t
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Sets, Floating T>
-IRG_DOOR Sets sets_seen(const door_lists<T>& lists, const visible_set_options& options) {
+IRG_API Sets sets_seen(const door_lists<T>& lists, const visible_set_options& options) {
   const auto cells = static_cast<int>(lists.first.size() - 1);
   Sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
   stabbing_lines<T> lines;
@@ -203,12 +203,12 @@ IRG_DOOR Sets sets_seen(const door_lists<T>& lists, const visible_set_options& o
 }
 
 template <class Sets, Floating T>
-IRG_DOOR Sets sets_connected(const door_lists<T>& lists, std::uint32_t most_portals) {
+IRG_API Sets sets_connected(const door_lists<T>& lists, std::uint32_t most_portals) {
   const auto cells = static_cast<int>(lists.first.size() - 1);
   Sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
   for (int row = 0; row < cells; ++row) mark_connected(lists, row, most_portals, out.seen);
   return out;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -42,17 +42,17 @@ struct walls_in_tiles {
   bool all_finite = true;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR walls_in_tiles<T> put_in_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain);
+IRG_API walls_in_tiles<T> put_in_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain);
 template <Floating T>
-IRG_DOOR visible_region<T> region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source);
+IRG_API visible_region<T> region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source);
 template <Floating T>
-IRG_DOOR visible_region<T> counted_region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source,
-                                                sight_counts& counts);
+IRG_API visible_region<T> counted_region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source,
+                                               sight_counts& counts);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 inline namespace IRG_ABI {
@@ -503,10 +503,10 @@ constexpr visible_region<T> look_among(const walls_in_tiles<T>& p, const point<T
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR walls_in_tiles<T> put_in_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain) {
+IRG_API walls_in_tiles<T> put_in_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain) {
   walls_in_tiles<T> p;
   p.walls.assign(walls.begin(), walls.end());
   p.domain = domain;
@@ -521,15 +521,15 @@ IRG_DOOR walls_in_tiles<T> put_in_tiles(std::span<const segment<T, 2>> walls, co
 }
 
 template <Floating T>
-IRG_DOOR visible_region<T> region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source) {
+IRG_API visible_region<T> region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source) {
   return look_among(prepared, source, [&](std::span<const segment<T, 2>> walls) {
     return visibility_polygon(source, prepared.domain, walls);
   });
 }
 
 template <Floating T>
-IRG_DOOR visible_region<T> counted_region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source,
-                                                sight_counts& counts) {
+IRG_API visible_region<T> counted_region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source,
+                                               sight_counts& counts) {
   sight_counts took;
   visible_region<T> seen = look_among(prepared, source, [&](std::span<const segment<T, 2>> walls) {
     return visibility_polygon(source, prepared.domain, walls, {}, took);
@@ -541,5 +541,5 @@ IRG_DOOR visible_region<T> counted_region_among(const walls_in_tiles<T>& prepare
   return seen;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -61,7 +61,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Whether q is seen from p: no face of the mesh is in the way, strictly between the two.
 /// shape   faces are convex and flat; others count as the triangles from their first corner. Faces without area stop
@@ -71,8 +71,8 @@ inline namespace IRG_DOORS {
 /// exact   for all finite floats and doubles
 /// cost    a pass over the faces; some 20 ns for each on one side of whose plane both lie
 template <Floating T>
-[[nodiscard]] IRG_DOOR bool has_line_of_sight(const point<T, 3>& p, const point<T, 3>& q,
-                                              const mesh<T>& blockers) noexcept;
+[[nodiscard]] IRG_API bool has_line_of_sight(const point<T, 3>& p, const point<T, 3>& q,
+                                             const mesh<T>& blockers) noexcept;
 
 /// What two convex regions see of each other for sure: every place in one every place in the other, some of them some,
 /// or none any. Nothing where that is not known.
@@ -89,8 +89,8 @@ template <Floating T>
 ///         line
 /// source  irg's own, by planes that part convex hulls
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
-                                                            const mesh<T>& blockers);
+[[nodiscard]] IRG_API std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
+                                                           const mesh<T>& blockers);
 
 /// The share of the lines between places in two regions that are free, by random ones, with error bars.
 /// shape   as sure_sight; places are spread evenly over segments, areas and boxes
@@ -100,25 +100,25 @@ template <Floating T>
 /// cost    a has_line_of_sight() for each line, past the faces near the regions
 /// source  Wilson 1927
 template <Floating T>
-[[nodiscard]] IRG_DOOR sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
-                                                  const mesh<T>& blockers, const sight_sampling_options& how = {});
+[[nodiscard]] IRG_API sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
+                                                 const mesh<T>& blockers, const sight_sampling_options& how = {});
 
 /// What is sure about each face of a mesh, seen from a region past the others.
 /// shape   as sure_sight, a value for each face, which counts as seen from both sides
 /// cost    sure_sight for each face
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from,
-                                                                                  const mesh<T>& m);
+[[nodiscard]] IRG_API std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from,
+                                                                                 const mesh<T>& m);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR bool has_line_of_sight(const point<T, 3>& p, const point<T, 3>& q,
-                                              const mesh<T>& blockers) noexcept {
+[[nodiscard]] IRG_API bool has_line_of_sight(const point<T, 3>& p, const point<T, 3>& q,
+                                             const mesh<T>& blockers) noexcept {
   for (std::size_t f = 0; f < blockers.face_count(); ++f)
     for (std::size_t k = 2; k < blockers.face_size(f); ++k)
       if (detail::stops_sight(p, q, detail::fan_triangle(blockers, f, k))) return false;
@@ -126,8 +126,8 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
-                                                            const mesh<T>& blockers) {
+[[nodiscard]] IRG_API std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
+                                                           const mesh<T>& blockers) {
   IRG_EXPECTS(!a.corners.empty() && !b.corners.empty());
   const detail::space_blockers<T> between(a.corners, b.corners, blockers);
   if (between.frees_all()) return seen_share::all;
@@ -143,8 +143,8 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
-                                                  const mesh<T>& blockers, const sight_sampling_options& how) {
+[[nodiscard]] IRG_API sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
+                                                 const mesh<T>& blockers, const sight_sampling_options& how) {
   IRG_EXPECTS(!a.corners.empty() && !b.corners.empty() && how.lines >= 1 && how.deviations >= 0);
   const detail::space_blockers<T> between(a.corners, b.corners, blockers);
   detail::place_chooser chooser{how.seed};
@@ -164,8 +164,8 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from,
-                                                                                  const mesh<T>& m) {
+[[nodiscard]] IRG_API std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from,
+                                                                                 const mesh<T>& m) {
   std::vector<std::optional<seen_share>> out;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     space_region<T> face;
@@ -175,5 +175,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

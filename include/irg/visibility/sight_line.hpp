@@ -24,7 +24,7 @@ enum class sight_reach {
   onwards,  // without end: a ray through q
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The number of the obstacle that the way from p to q meets first, strictly between the two; or the ray from p through
 /// q, when it is followed onwards (ray shooting).
@@ -35,7 +35,7 @@ inline namespace IRG_DOORS {
 /// exact   for all finite floats and doubles
 /// cost    one pass; some 10 ns for each obstacle that lies on one side
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::optional<std::size_t> first_obstacle(
+[[nodiscard]] IRG_API std::optional<std::size_t> first_obstacle(
     const point<T, 2>& p, const point<T, 2>& q, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
     obstacle_ends ends = obstacle_ends::closed, sight_reach reach = sight_reach::up_to) noexcept;
 
@@ -46,11 +46,11 @@ template <Floating T>
 /// exact   for all finite floats and doubles
 /// cost    as first_obstacle; ends at an obstacle in the way
 template <Floating T>
-[[nodiscard]] IRG_DOOR bool has_line_of_sight(const point<T, 2>& p, const point<T, 2>& q,
-                                              std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                              obstacle_ends ends = obstacle_ends::closed) noexcept;
+[[nodiscard]] IRG_API bool has_line_of_sight(const point<T, 2>& p, const point<T, 2>& q,
+                                             std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                             obstacle_ends ends = obstacle_ends::closed) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -103,10 +103,10 @@ constexpr bool is_hit_before(const segment<T, 2>& way, const sight_hit<T>& x, co
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::optional<std::size_t> first_obstacle(
+[[nodiscard]] IRG_API std::optional<std::size_t> first_obstacle(
     const point<T, 2>& p, const point<T, 2>& q, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
     obstacle_ends ends, sight_reach reach) noexcept {
   const segment<T, 2> way{p, q};
@@ -122,14 +122,14 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR bool has_line_of_sight(const point<T, 2>& p, const point<T, 2>& q,
-                                              std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                              obstacle_ends ends) noexcept {
+[[nodiscard]] IRG_API bool has_line_of_sight(const point<T, 2>& p, const point<T, 2>& q,
+                                             std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                             obstacle_ends ends) noexcept {
   if (p == q) return true;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     if (detail::hit_between(segment<T, 2>{p, q}, obstacles[i], ends, sight_reach::up_to)) return false;
   return true;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -20,14 +20,14 @@
 
 namespace irg {
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 // Marks the cells of a flat map that light from a cell touches.
 template <class Memory>
-IRG_DOOR void mark_light(const walled_grid& map, const cell3& at, const view_options& o, Memory& memory,
-                         cell_grid& touched);
+IRG_API void mark_light(const walled_grid& map, const cell3& at, const view_options& o, Memory& memory,
+                        cell_grid& touched);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 /// What units on a map see. (A template, so that whoever does not use it does not compile it.)
 template <std::same_as<walled_grid> Map = walled_grid>
@@ -133,11 +133,11 @@ struct light_marks {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Memory>
-IRG_DOOR void mark_light(const walled_grid& map, const cell3& at, const view_options& o, Memory& memory,
-                         cell_grid& touched) {
+IRG_API void mark_light(const walled_grid& map, const cell3& at, const view_options& o, Memory& memory,
+                        cell_grid& touched) {
   if (map.extent().depth != 1 || !map.extent().holds(at)) return;
   const cell viewer{at.x, at.y};
   for (int sign_y = -1; sign_y <= 1; sign_y += 2)
@@ -148,5 +148,5 @@ IRG_DOOR void mark_light(const walled_grid& map, const cell3& at, const view_opt
     }
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

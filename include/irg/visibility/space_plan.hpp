@@ -83,16 +83,16 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The first thing that is wrong with a plan in space, cells first.
 /// exact   for all coordinates, infinities and NaN included
 /// cost    the faces times the corners of each cell, the corners of both cells for each portal, and the corners of
 ///         their faces times its own
 template <Floating T>
-[[nodiscard]] IRG_DOOR space_plan_finding validate(const space_plan<T>& plan);
+[[nodiscard]] IRG_API space_plan_finding validate(const space_plan<T>& plan);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
@@ -208,12 +208,12 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR space_plan_finding validate(const space_plan<T>& plan) {
+[[nodiscard]] IRG_API space_plan_finding validate(const space_plan<T>& plan) {
   return detail::space_plan_check<T>(plan).run();
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -26,7 +26,7 @@
 #endif
 
 namespace irg {
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// For each cell the cells of which something may be seen from somewhere in it, itself among them.
 /// shape   as potentially_visible of plans in the plane; symmetric
@@ -43,10 +43,10 @@ inline namespace IRG_DOORS {
 ///         most_parts of them for each cell
 /// source  Teller and Sequin 1991, with a search for their stabbing lines
 template <Floating T>
-[[nodiscard]] IRG_DOOR visible_sets potentially_visible(const space_plan<T>& plan,
-                                                        const visible_set_options& options = {});
+[[nodiscard]] IRG_API visible_sets potentially_visible(const space_plan<T>& plan,
+                                                       const visible_set_options& options = {});
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -63,13 +63,13 @@ constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cel
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void send_cells_seen(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
-                              const function_ref<void(std::uint32_t)>& sink);
+IRG_API void send_cells_seen(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
+                             const function_ref<void(std::uint32_t)>& sink);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -438,11 +438,11 @@ constexpr bool is_passed_as_before(const space_stabbing<T>& s) noexcept {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void send_cells_seen(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
-                              const function_ref<void(std::uint32_t)>& sink) {
+IRG_API void send_cells_seen(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
+                             const function_ref<void(std::uint32_t)>& sink) {
   if (cell >= plan.cells.size()) return;
   const auto may_pass = [&](const auto& passed, const space_doorway<T>& d) {
     if (orient3d(d.ring[0], d.ring[1], d.ring[2], eye) <= 0) return false;
@@ -452,12 +452,12 @@ IRG_DOOR void send_cells_seen(const space_plan<T>& plan, std::uint32_t cell, con
   };
   walk_doors(doors_of(plan), cell, ~std::uint64_t{0}, may_pass, sink);
 }
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR visible_sets potentially_visible(const space_plan<T>& plan, const visible_set_options& options) {
+[[nodiscard]] IRG_API visible_sets potentially_visible(const space_plan<T>& plan, const visible_set_options& options) {
   const auto cells = static_cast<int>(plan.cells.size());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0, 0};
   const detail::space_doors<T> doors = detail::doors_of(plan);
@@ -486,5 +486,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -72,17 +72,17 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void send_views(const door_lists<T>& lists, std::uint32_t cell, const view_wedge<T>& view,
-                         const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink);
+IRG_API void send_views(const door_lists<T>& lists, std::uint32_t cell, const view_wedge<T>& view,
+                        const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink);
 template <Floating T>
-IRG_DOOR void send_views_in_space(const cell_plan<T>& plan, const door_lists<T>& lists, std::uint32_t cell,
-                                  const view_wedge<T>& view, T eye_height,
-                                  const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink);
+IRG_API void send_views_in_space(const cell_plan<T>& plan, const door_lists<T>& lists, std::uint32_t cell,
+                                 const view_wedge<T>& view, T eye_height,
+                                 const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -215,19 +215,19 @@ constexpr void view_ways(const door_lists<T>& lists, std::uint32_t cell, const v
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void send_views(const door_lists<T>& lists, std::uint32_t cell, const view_wedge<T>& view,
-                         const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink) {
+IRG_API void send_views(const door_lists<T>& lists, std::uint32_t cell, const view_wedge<T>& view,
+                        const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink) {
   if (cell >= lists.first.size() - 1 || !is_convex(std::span(&view.eye, 1))) return;
   view_ways(lists, cell, view, [](const auto&, const auto&) { return true; }, sink);
 }
 
 template <Floating T>
-IRG_DOOR void send_views_in_space(const cell_plan<T>& plan, const door_lists<T>& lists, std::uint32_t cell,
-                                  const view_wedge<T>& view, T eye_height,
-                                  const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink) {
+IRG_API void send_views_in_space(const cell_plan<T>& plan, const door_lists<T>& lists, std::uint32_t cell,
+                                 const view_wedge<T>& view, T eye_height,
+                                 const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink) {
   const point<T, 3> eye{view.eye.x, view.eye.y, eye_height};
   const point<T, 2> places[] = {view.eye, {eye_height, eye_height}};  // convex when all are finite
   if (cell >= lists.first.size() - 1 || !is_convex(places)) return;
@@ -241,5 +241,5 @@ IRG_DOOR void send_views_in_space(const cell_plan<T>& plan, const door_lists<T>&
   view_ways(lists, cell, view, has_room, sink);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -73,18 +73,18 @@ template <Floating T>
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // The visibility polygon within the edges of a domain, ring by ring.
 template <Floating T>
-IRG_DOOR visible_region<T> region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
-                                         std::span<const segment<T, 2>> obstacles, const sight_options& options);
+IRG_API visible_region<T> region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
+                                        std::span<const segment<T, 2>> obstacles, const sight_options& options);
 template <Floating T>
-IRG_DOOR visible_region<T> counted_region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
-                                                 std::span<const segment<T, 2>> obstacles, const sight_options& options,
-                                                 sight_counts& counts);
+IRG_API visible_region<T> counted_region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
+                                                std::span<const segment<T, 2>> obstacles, const sight_options& options,
+                                                sight_counts& counts);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -408,20 +408,20 @@ constexpr void add_walls(Sweep& sweep, std::span<const segment<T, 2>> boundary,
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR visible_region<T> region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
-                                         std::span<const segment<T, 2>> obstacles, const sight_options& options) {
+IRG_API visible_region<T> region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
+                                        std::span<const segment<T, 2>> obstacles, const sight_options& options) {
   visible_ring_builder<T> sweep(source, options);
   add_walls(sweep, boundary, obstacles);
   return sweep.run();
 }
 
 template <Floating T>
-IRG_DOOR visible_region<T> counted_region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
-                                                 std::span<const segment<T, 2>> obstacles, const sight_options& options,
-                                                 sight_counts& counts) {
+IRG_API visible_region<T> counted_region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
+                                                std::span<const segment<T, 2>> obstacles, const sight_options& options,
+                                                sight_counts& counts) {
   visible_ring_builder<T, sight_tally> sweep(source, options);
   add_walls(sweep, boundary, obstacles);
   visible_region<T> seen = sweep.run();
@@ -429,5 +429,5 @@ IRG_DOOR visible_region<T> counted_region_within(const point<T, 2>& source, std:
   return seen;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

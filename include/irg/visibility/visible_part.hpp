@@ -36,13 +36,13 @@ template <CellGrid G>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 // needs   a viewer in a flat map
 template <class Grid>
-IRG_DOOR std::vector<double> percentages_lit(const Grid& bits, cell viewer);
+IRG_API std::vector<double> percentages_lit(const Grid& bits, cell viewer);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -132,10 +132,10 @@ struct light_sums {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Grid>
-IRG_DOOR std::vector<double> percentages_lit(const Grid& bits, cell viewer) {
+IRG_API std::vector<double> percentages_lit(const Grid& bits, cell viewer) {
   const grid_extent e = bits.extent();
   std::vector<double> out;
   const std::size_t size = static_cast<std::size_t>(e.width) * static_cast<std::size_t>(e.height);
@@ -165,5 +165,5 @@ IRG_DOOR std::vector<double> percentages_lit(const Grid& bits, cell viewer) {
   return out;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

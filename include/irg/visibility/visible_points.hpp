@@ -50,7 +50,7 @@ template <Scalar T>
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// Whether each of many points in the plane is seen from a viewer: it is when no other one stands before it on its ray.
 /// gives   equal points are seen together; a point where the viewer stands is seen and hides nothing; one with a
@@ -60,18 +60,18 @@ inline namespace IRG_DOORS {
 /// cost    n log n; allocates the order of the directions
 /// source  irg's own: the plane as a bundle of lines
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points,
-                                                                const point<T, 2>& viewer);
+[[nodiscard]] IRG_API std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points,
+                                                               const point<T, 2>& viewer);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
 #if IRG_BODIES
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points,
-                                                                const point<T, 2>& viewer) {
+[[nodiscard]] IRG_API std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points,
+                                                               const point<T, 2>& viewer) {
   constexpr T most = (std::numeric_limits<T>::max)();
   const auto is_place = [](const point<T, 2>& p) { return -most <= p.x && p.x <= most && -most <= p.y && p.y <= most; };
   std::vector<std::uint8_t> seen(points.size(), std::uint8_t{0});
@@ -101,5 +101,5 @@ template <Floating T>
   return seen;
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

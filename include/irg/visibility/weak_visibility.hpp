@@ -31,7 +31,7 @@
 #endif
 
 namespace irg {
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The parts of the window from where all of the source is seen, some of it, and nothing.
 /// shape   `source` is a point, the two ends of a segment, or a ring, of any direction, whose inside is part of it.
@@ -45,17 +45,17 @@ inline namespace IRG_DOORS {
 ///         m^2 places, each of which costs n log n. Made for plans of some dozens of walls
 /// source  irg's own, by the critical lines of Suri and O'Rourke 1986
 template <Floating T>
-[[nodiscard]] IRG_DOOR source_regions<T> weak_visibility(std::span<const point<T, 2>> source,
-                                                         std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                                         const box<T, 2>& window);
+[[nodiscard]] IRG_API source_regions<T> weak_visibility(std::span<const point<T, 2>> source,
+                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                                        const box<T, 2>& window);
 
 /// The same for an area with holes, or several of them as one source: what is inside of an odd number of rings; or for
 /// several segments, lists of two points each, which may touch and cross.
 /// needs   rings that meet neither each other nor themselves, else the status says so
 template <Floating T>
-[[nodiscard]] IRG_DOOR source_regions<T> weak_visibility(std::span<const std::vector<point<T, 2>>> source,
-                                                         std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                                         const box<T, 2>& window);
+[[nodiscard]] IRG_API source_regions<T> weak_visibility(std::span<const std::vector<point<T, 2>>> source,
+                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                                        const box<T, 2>& window);
 
 /// What a point, a segment or an area sees of the inside of a ring, and it of them: each place in one each place in the
 /// other, some of them, or nothing.
@@ -64,11 +64,11 @@ template <Floating T>
 /// exact   for all finite floats and doubles
 /// cost    as weak_visibility
 template <Floating T>
-[[nodiscard]] IRG_DOOR checked<seen_share, visibility_status> sight_between(
+[[nodiscard]] IRG_API checked<seen_share, visibility_status> sight_between(
     std::span<const point<T, 2>> source, std::span<const std::type_identity_t<point<T, 2>>> region,
     std::span<const std::type_identity_t<segment<T, 2>>> obstacles);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -340,24 +340,24 @@ constexpr source_regions<T> regions_of_source(const box<T, 2>& window, std::span
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_DOORS {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR source_regions<T> weak_visibility(std::span<const point<T, 2>> source,
-                                                         std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                                         const box<T, 2>& window) {
+[[nodiscard]] IRG_API source_regions<T> weak_visibility(std::span<const point<T, 2>> source,
+                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                                        const box<T, 2>& window) {
   return detail::regions_of_source(window, source, obstacles, detail::line_choice::needed);
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR source_regions<T> weak_visibility(std::span<const std::vector<point<T, 2>>> source,
-                                                         std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                                         const box<T, 2>& window) {
+[[nodiscard]] IRG_API source_regions<T> weak_visibility(std::span<const std::vector<point<T, 2>>> source,
+                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                                        const box<T, 2>& window) {
   return detail::regions_of_source(window, source, obstacles, detail::line_choice::needed);
 }
 
 template <Floating T>
-[[nodiscard]] IRG_DOOR checked<seen_share, visibility_status> sight_between(
+[[nodiscard]] IRG_API checked<seen_share, visibility_status> sight_between(
     std::span<const point<T, 2>> source, std::span<const std::type_identity_t<point<T, 2>>> region,
     std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   detail::weak_visibility_state<T> s;
@@ -372,5 +372,5 @@ template <Floating T>
   return {none ? seen_share::none : all ? seen_share::all : seen_share::some, status};
 }
 
-}  // namespace irg::inline IRG_DOORS
+}  // namespace irg::inline IRG_COMPILED_ABI
 #endif

@@ -18,17 +18,17 @@
 #include <irg/math/exact_sum.hpp>
 #endif
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // By integers, for every finite input.
 template <Floating T>
-IRG_DOOR T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept;
+IRG_API T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept;
 // Where axis_crossing_from does not tell.
 template <Floating T>
   requires std::same_as<T, double>
-IRG_DOOR T axis_crossing_in_doubt(T ax, T ay, T bx, T by, T x) noexcept;
+IRG_API T axis_crossing_in_doubt(T ax, T ay, T bx, T by, T x) noexcept;
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -108,10 +108,10 @@ constexpr cut_parameter<T> parameter_of(const T& a, const T& b, const T& x) noex
 }  // namespace irg::detail::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_NOINLINE IRG_DOOR T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept {
+IRG_NOINLINE IRG_API T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept {
   if (ay == by) return ay + T(0);
   const auto wide = [](T v) { return widened(v); };
   const double x1 = wide(ax), y1 = wide(ay), x2 = wide(bx), y2 = wide(by), at = wide(x);
@@ -139,7 +139,7 @@ IRG_NOINLINE IRG_DOOR T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcep
 // the end of the range are made smaller, if none of them loses a bit.
 template <Floating T>
   requires std::same_as<T, double>
-IRG_NOINLINE IRG_DOOR T axis_crossing_in_doubt(T ax, T ay, T bx, T by, T x) noexcept {
+IRG_NOINLINE IRG_API T axis_crossing_in_doubt(T ax, T ay, T bx, T by, T x) noexcept {
   double y = 0;
   if (axis_crossing_from(bx, by, ax, ay, x, y)) return y;
   const auto fits = [](double v) { return v == 0 || magnitude(v) > 0x1p-100; };
@@ -152,5 +152,5 @@ IRG_NOINLINE IRG_DOOR T axis_crossing_in_doubt(T ax, T ay, T bx, T by, T x) noex
   return axis_crossing_exact(ax, ay, bx, by, x);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -39,30 +39,30 @@ struct clipped_corner {
   int side = 0;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 // On which side of a boundary another one meets the line through two points, and two others the plane through three.
 template <Floating T, int D>
-IRG_DOOR int side_of_line_meeting(const half_space<T, D>& boundary, const half_space<T, D>& h, const point<T, D>& from,
-                                  const point<T, D>& to) noexcept;
+IRG_API int side_of_line_meeting(const half_space<T, D>& boundary, const half_space<T, D>& h, const point<T, D>& from,
+                                 const point<T, D>& to) noexcept;
 template <Floating T>
-IRG_DOOR int side_of_plane_meeting(const half_space<T, 3>& boundary, const half_space<T, 3>& g,
-                                   const half_space<T, 3>& h, const point<T, 3>& p, const point<T, 3>& q,
-                                   const point<T, 3>& r) noexcept;
+IRG_API int side_of_plane_meeting(const half_space<T, 3>& boundary, const half_space<T, 3>& g,
+                                  const half_space<T, 3>& h, const point<T, 3>& p, const point<T, 3>& q,
+                                  const point<T, 3>& r) noexcept;
 // Where these meet, rounded.
 template <Floating T, int D>
-IRG_DOOR std::optional<point<T, D>> rounded_line_meeting(const half_space<T, D>& h, const point<T, D>& from,
-                                                         const point<T, D>& to) noexcept;
+IRG_API std::optional<point<T, D>> rounded_line_meeting(const half_space<T, D>& h, const point<T, D>& from,
+                                                        const point<T, D>& to) noexcept;
 template <Floating T>
-IRG_DOOR std::optional<point<T, 3>> rounded_planes_meeting(const half_space<T, 3>& g, const half_space<T, 3>& h,
-                                                           const point<T, 3>& p, const point<T, 3>& q,
-                                                           const point<T, 3>& r) noexcept;
+IRG_API std::optional<point<T, 3>> rounded_planes_meeting(const half_space<T, 3>& g, const half_space<T, 3>& h,
+                                                          const point<T, 3>& p, const point<T, 3>& q,
+                                                          const point<T, 3>& r) noexcept;
 // The sign of the sum of a boundary's values at two points.
 template <Floating T, int D>
-IRG_DOOR int sign_of_sum_of_values(const half_space<T, D>& boundary, const point<T, D>& p,
-                                   const point<T, D>& q) noexcept;
+IRG_API int sign_of_sum_of_values(const half_space<T, D>& boundary, const point<T, D>& p,
+                                  const point<T, D>& q) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -142,13 +142,13 @@ constexpr int side_about(const Corner& c, const half_space<T, D>& boundary) noex
   const double bound = product(size, 0x1p-50) + product(reach, 1.5 * c.error);
   return value > bound ? 1 : -value > bound ? -1 : 0;
 }
-// As the doors take it.
+// As irg::compiled takes it.
 template <class T, int D>
-IRG_INLINE constexpr const half_space<T, D>& at_door(const half_space<T, D>& h) noexcept {
+IRG_INLINE constexpr const half_space<T, D>& at_library(const half_space<T, D>& h) noexcept {
   return h;  // NOLINT(bugprone-return-const-ref-from-parameter)
 }
 template <Point P>
-IRG_INLINE constexpr auto at_door(const P& p) noexcept {
+IRG_INLINE constexpr auto at_library(const P& p) noexcept {
   return as_point<scalar_of<P>>(p);
 }
 
@@ -156,18 +156,18 @@ IRG_INLINE constexpr auto at_door(const P& p) noexcept {
 template <class Meeting, Floating T, int D, class... In>
 constexpr int exact_side(const Meeting&, const half_space<T, D>& boundary, const In&... in) noexcept {
   if constexpr (std::is_same_v<Meeting, line_meeting>)
-    return side_of_line_meeting(boundary, at_door(in)...);
+    return side_of_line_meeting(boundary, at_library(in)...);
   else
-    return side_of_plane_meeting(boundary, at_door(in)...);
+    return side_of_plane_meeting(boundary, at_library(in)...);
 }
 // The same place, rounded.
 template <Point P, class Meeting, class... In>
 constexpr std::optional<P> rounded_place(const Meeting&, const In&... in) noexcept {
   const auto own = [](const auto& at) { return at ? std::optional(own_point<P>(*at)) : std::nullopt; };
   if constexpr (std::is_same_v<Meeting, line_meeting>)
-    return own(rounded_line_meeting(at_door(in)...));
+    return own(rounded_line_meeting(at_library(in)...));
   else
-    return own(rounded_planes_meeting(at_door(in)...));
+    return own(rounded_planes_meeting(at_library(in)...));
 }
 
 // Whether points of the half-space round to p. The corner of those that do is midway to the neighbour further inside.
@@ -429,37 +429,37 @@ constexpr std::optional<P> find_rounded_place(const Meeting& meeting, const In&.
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int D>
-IRG_DOOR int side_of_line_meeting(const half_space<T, D>& boundary, const half_space<T, D>& h, const point<T, D>& from,
-                                  const point<T, D>& to) noexcept {
+IRG_API int side_of_line_meeting(const half_space<T, D>& boundary, const half_space<T, D>& h, const point<T, D>& from,
+                                 const point<T, D>& to) noexcept {
   return find_exact_side<4>(line_meeting{}, boundary, h, from, to);
 }
 template <Floating T>
-IRG_DOOR int side_of_plane_meeting(const half_space<T, 3>& boundary, const half_space<T, 3>& g,
-                                   const half_space<T, 3>& h, const point<T, 3>& p, const point<T, 3>& q,
-                                   const point<T, 3>& r) noexcept {
+IRG_API int side_of_plane_meeting(const half_space<T, 3>& boundary, const half_space<T, 3>& g,
+                                  const half_space<T, 3>& h, const point<T, 3>& p, const point<T, 3>& q,
+                                  const point<T, 3>& r) noexcept {
   return find_exact_side<6>(plane_meeting{}, boundary, g, h, p, q, r);
 }
 template <Floating T, int D>
-IRG_DOOR std::optional<point<T, D>> rounded_line_meeting(const half_space<T, D>& h, const point<T, D>& from,
-                                                         const point<T, D>& to) noexcept {
+IRG_API std::optional<point<T, D>> rounded_line_meeting(const half_space<T, D>& h, const point<T, D>& from,
+                                                        const point<T, D>& to) noexcept {
   return find_rounded_place<3, point<T, D>>(line_meeting{}, h, from, to);
 }
 template <Floating T>
-IRG_DOOR std::optional<point<T, 3>> rounded_planes_meeting(const half_space<T, 3>& g, const half_space<T, 3>& h,
-                                                           const point<T, 3>& p, const point<T, 3>& q,
-                                                           const point<T, 3>& r) noexcept {
+IRG_API std::optional<point<T, 3>> rounded_planes_meeting(const half_space<T, 3>& g, const half_space<T, 3>& h,
+                                                          const point<T, 3>& p, const point<T, 3>& q,
+                                                          const point<T, 3>& r) noexcept {
   return find_rounded_place<5, point<T, 3>>(plane_meeting{}, g, h, p, q, r);
 }
 template <Floating T, int D>
-IRG_DOOR int sign_of_sum_of_values(const half_space<T, D>& boundary, const point<T, D>& p,
-                                   const point<T, D>& q) noexcept {
+IRG_API int sign_of_sum_of_values(const half_space<T, D>& boundary, const point<T, D>& p,
+                                  const point<T, D>& q) noexcept {
   return sign_of<2>([](const auto& half, const auto& at,
                        const auto& next) { return half_space_value(half, at) + half_space_value(half, next); },
                     boundary, p, q);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include <irg/core/coordinates.hpp>
-#include <irg/geometry/detail/door_numbers.hpp>
+#include <irg/geometry/detail/compiled_numbers.hpp>
 #include <irg/math/exact/values_of.hpp>
 #include <irg/math/vec.hpp>
 

@@ -8,7 +8,7 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/core/ring.hpp>
-#include <irg/geometry/detail/door_numbers.hpp>
+#include <irg/geometry/detail/compiled_numbers.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/math/exact/quotients_of.hpp>
@@ -31,17 +31,17 @@ struct half_space_meeting {
   T t;
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T, int D>
-IRG_DOOR half_space_meeting<T, point<T, D>> meeting_with_half_space(const point<T, D>& a, const point<T, D>& b,
-                                                                    const half_space<T, D>& h) noexcept;
+IRG_API half_space_meeting<T, point<T, D>> meeting_with_half_space(const point<T, D>& a, const point<T, D>& b,
+                                                                   const half_space<T, D>& h) noexcept;
 // The sign of t_first - t_second, but for the sign of their denominators.
 template <Floating T, int D>
-IRG_DOOR int order_of_crossings(const point<T, D>& a, const point<T, D>& b, const half_space<T, D>& first,
-                                const half_space<T, D>& second) noexcept;
+IRG_API int order_of_crossings(const point<T, D>& a, const point<T, D>& b, const half_space<T, D>& first,
+                               const half_space<T, D>& second) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 
 namespace irg::detail::inline IRG_ABI {
@@ -157,18 +157,18 @@ constexpr half_space<ring_scalar<R>, 2> half_space_at(const R& ring, std::size_t
 }  // namespace irg::detail::inline IRG_ABI
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T, int D>
-IRG_DOOR half_space_meeting<T, point<T, D>> meeting_with_half_space(const point<T, D>& a, const point<T, D>& b,
-                                                                    const half_space<T, D>& h) noexcept {
+IRG_API half_space_meeting<T, point<T, D>> meeting_with_half_space(const point<T, D>& a, const point<T, D>& b,
+                                                                   const half_space<T, D>& h) noexcept {
   return find_half_space_meeting(a, b, h);
 }
 template <Floating T, int D>
-IRG_DOOR int order_of_crossings(const point<T, D>& a, const point<T, D>& b, const half_space<T, D>& first,
-                                const half_space<T, D>& second) noexcept {
+IRG_API int order_of_crossings(const point<T, D>& a, const point<T, D>& b, const half_space<T, D>& first,
+                               const half_space<T, D>& second) noexcept {
   return find_order_of_crossings(a, b, first, second);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

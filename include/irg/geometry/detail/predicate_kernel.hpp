@@ -35,14 +35,14 @@ struct point_table {
   IRG_INLINE constexpr const T& operator()(int i, int k) const noexcept { return v[i * D + k]; }
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 // The sign of a predicate whose filter did not tell. Coordinates are passed in registers, so that nothing has to wait
 // for the memory.
 template <int M, int D, Floating... X>
-IRG_DOOR int exact_predicate(X... x) noexcept;
+IRG_API int exact_predicate(X... x) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -341,10 +341,10 @@ IRG_NOINLINE constexpr int sign_beyond_words(X... x) noexcept {
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <int M, int D, Floating... X>
-IRG_NOINLINE IRG_DOOR int exact_predicate(X... x) noexcept {
+IRG_NOINLINE IRG_API int exact_predicate(X... x) noexcept {
   const point_table<double, M, D> t{{exactly_widened(x)...}};
   int sign = 0;
   if (!in_constant_evaluation()) sign = compensated_sign(t);
@@ -352,6 +352,6 @@ IRG_NOINLINE IRG_DOOR int exact_predicate(X... x) noexcept {
   return sign_beyond_words<M, D>(exactly_widened(x)...);
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

@@ -16,14 +16,14 @@
 #include <irg/core/is_finite.hpp>
 #endif
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR std::vector<textbook::depth_sorted_polygon<T>> sorted_by_tests(
+IRG_API std::vector<textbook::depth_sorted_polygon<T>> sorted_by_tests(
     const std::vector<std::vector<point<T, 3>>>& polygons,
     const function_ref<void(newell_step, std::uint32_t, std::uint32_t)>& observer);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::textbook::inline IRG_ABI {
 
@@ -81,10 +81,10 @@ constexpr void break_cycle(textbook::depth_sort_list<T>& list, std::size_t q, Ob
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR std::vector<textbook::depth_sorted_polygon<T>> sorted_by_tests(
+IRG_API std::vector<textbook::depth_sorted_polygon<T>> sorted_by_tests(
     const std::vector<std::vector<point<T, 3>>>& polygons,
     const function_ref<void(newell_step, std::uint32_t, std::uint32_t)>& observer) {
   textbook::depth_sort_list<T> list;
@@ -118,5 +118,5 @@ IRG_DOOR std::vector<textbook::depth_sorted_polygon<T>> sorted_by_tests(
   return order;
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

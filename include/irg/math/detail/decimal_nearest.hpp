@@ -38,13 +38,13 @@ struct decimal_text {
   bool cut = false;               // digits that are not 0 follow the mantissa's
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 /// The T nearest to the text's number without its sign.
 template <Floating T>
-IRG_DOOR T unsigned_value(const decimal_text& text) noexcept;
+IRG_API T unsigned_value(const decimal_text& text) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -380,10 +380,10 @@ IRG_NOINLINE constexpr T nearest_by_naturals(const decimal_text& text, T below) 
 }  // namespace irg::detail
 
 #if IRG_BODIES
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR T unsigned_value(const decimal_text& text) noexcept {
+IRG_API T unsigned_value(const decimal_text& text) noexcept {
   // The mantissa is less than 10^19.
   if (text.mantissa == 0 || text.exponent < -342) return T{0};
   if (text.exponent > 308) return std::numeric_limits<T>::infinity();
@@ -411,5 +411,5 @@ IRG_DOOR T unsigned_value(const decimal_text& text) noexcept {
   return nearest_by_naturals(text, below);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -422,11 +422,10 @@ constexpr auto take_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_NOINLINE IRG_DOOR int exact_side(const bsp_data_3d<T>& d, const bsp_plane_3d& plane,
-                                     const point<T, 3>& p) noexcept {
+IRG_NOINLINE IRG_API int exact_side(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const point<T, 3>& p) noexcept {
   if (plane.axis != bsp_plane_3d::of_triangle) {
     const T at = d.vertices[plane.source][static_cast<int>(plane.axis)], x = p[static_cast<int>(plane.axis)];
     return at < x ? 1 : x < at ? -1 : 0;
@@ -436,7 +435,7 @@ IRG_NOINLINE IRG_DOOR int exact_side(const bsp_data_3d<T>& d, const bsp_plane_3d
 }
 
 template <Floating T>
-IRG_DOOR int side_of_direction(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const vec<T, 3>& to) noexcept {
+IRG_API int side_of_direction(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const vec<T, 3>& to) noexcept {
   if (plane.axis != bsp_plane_3d::of_triangle) {
     const T x = to[static_cast<int>(plane.axis)];
     return T(0) < x ? 1 : x < T(0) ? -1 : 0;
@@ -457,7 +456,7 @@ IRG_DOOR int side_of_direction(const bsp_data_3d<T>& d, const bsp_plane_3d& plan
 }
 
 template <Floating T>
-IRG_DOOR std::vector<point<T, 3>> rounded_ring(const growing_bsp_3d<T>& tree, const bsp_piece_3d& p) {
+IRG_API std::vector<point<T, 3>> rounded_ring(const growing_bsp_3d<T>& tree, const bsp_piece_3d& p) {
   const bsp_data_3d<T>& d = tree.data;
   std::vector<point<T, 3>> ring, kept;
   for (const std::uint32_t v : d.triangles[p.triangle].v) ring.push_back(d.vertices[v]);
@@ -479,7 +478,7 @@ IRG_DOOR std::vector<point<T, 3>> rounded_ring(const growing_bsp_3d<T>& tree, co
 }
 
 template <Floating T>
-IRG_DOOR void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to) {
+IRG_API void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to) {
   for (; tree.links.size() > to.links; tree.links.pop_back()) {
     link_of(tree, tree.links.back()) = no_index;
     tree.steps[tree.links.back().node] = step_at(tree, tree.links.back().node);
@@ -496,8 +495,8 @@ IRG_DOOR void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to) {
 }
 
 template <Floating T>
-IRG_DOOR void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
-                            std::span<const triangle_indices> triangles, const bsp_options& choice) {
+IRG_API void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
+                           std::span<const triangle_indices> triangles, const bsp_options& choice) {
   using open_cell = typename growing_bsp_3d<T>::open_cell;
   IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
   const std::size_t links_before = tree.links.size();
@@ -530,10 +529,10 @@ IRG_DOOR void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>
 }
 
 template <Floating T>
-IRG_DOOR void make_walkable(growing_bsp_3d<T>& tree) {
+IRG_API void make_walkable(growing_bsp_3d<T>& tree) {
   for (const bsp_node_3d& n : tree.data.nodes) tree.planes.push_back(plane_of(tree.data, n.plane));
   for (std::uint32_t i = 0; i < tree.data.nodes.size(); ++i) tree.steps.push_back(step_at(tree, i));
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail

@@ -111,28 +111,28 @@ constexpr bsp_sizes sizes_of(const growing_bsp_3d<T>& tree) noexcept {
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
-                            std::span<const triangle_indices> triangles, const bsp_options& choice);
+IRG_API void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
+                           std::span<const triangle_indices> triangles, const bsp_options& choice);
 template <Floating T>
-IRG_DOOR void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to);
+IRG_API void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to);
 
 // Adds to the numbers of a tree what a visit asks.
 template <Floating T>
-IRG_DOOR void make_walkable(growing_bsp_3d<T>& tree);
+IRG_API void make_walkable(growing_bsp_3d<T>& tree);
 
 // The corners of a piece, rounded.
 template <Floating T>
-IRG_DOOR std::vector<point<T, 3>> rounded_ring(const growing_bsp_3d<T>& tree, const bsp_piece_3d& p);
+IRG_API std::vector<point<T, 3>> rounded_ring(const growing_bsp_3d<T>& tree, const bsp_piece_3d& p);
 
 // 1, -1 or 0: in front of a plane, behind, on it.
 template <Floating T>
-IRG_DOOR int exact_side(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const point<T, 3>& p) noexcept;
+IRG_API int exact_side(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const point<T, 3>& p) noexcept;
 // Of a point infinitely far away.
 template <Floating T>
-IRG_DOOR int side_of_direction(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const vec<T, 3>& to) noexcept;
+IRG_API int side_of_direction(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const vec<T, 3>& to) noexcept;
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail

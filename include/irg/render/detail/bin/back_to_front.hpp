@@ -17,14 +17,14 @@
 #include <irg/render/detail/bin/triangle_finder.hpp>
 #endif
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // As bin_triangles; the numbers of all lists, each put in order. With drawing_order they stay as they are.
 template <class Order, Floating T>
-IRG_DOOR std::vector<std::uint32_t> bin_back_to_front(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                                                      const listing_rules<T>& rules, const executor_ref& executor);
+IRG_API std::vector<std::uint32_t> bin_back_to_front(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
+                                                     const listing_rules<T>& rules, const executor_ref& executor);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
@@ -92,15 +92,15 @@ constexpr std::vector<std::uint32_t> sorted_lists(const triangle_bins& bins, con
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Order, Floating T>
-IRG_DOOR std::vector<std::uint32_t> bin_back_to_front(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                                                      const listing_rules<T>& rules, const executor_ref& executor) {
+IRG_API std::vector<std::uint32_t> bin_back_to_front(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
+                                                     const listing_rules<T>& rules, const executor_ref& executor) {
   bin_triangles(bins, batches, rules, executor);
   return sorted_lists<T>(bins, {batches, &bins}, back_to_front<Order, T>(batches, bins.triangle_count),
                          rules.grid.count());
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -40,14 +40,14 @@ struct listing_rules {
   skip_options skip{};
 };
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 // Makes the lists of all tiles for the triangles of all batches.
 template <Floating T>
-IRG_DOOR void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                            const listing_rules<T>& rules, const executor_ref& executor);
+IRG_API void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
+                           const listing_rules<T>& rules, const executor_ref& executor);
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 
 #if IRG_BODIES
@@ -402,11 +402,11 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
 
 }  // namespace IRG_ABI
 
-inline namespace IRG_DOORS {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-IRG_DOOR void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                            const listing_rules<T>& rules, const executor_ref& executor) {
+IRG_API void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
+                           const listing_rules<T>& rules, const executor_ref& executor) {
   constexpr std::uint32_t portion = 1 << 15;
   std::size_t used = 0;
   bins.triangle_count = 0;
@@ -431,6 +431,6 @@ IRG_DOOR void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<
   join_portions(bins, rules.grid.count(), executor);
 }
 
-}  // namespace IRG_DOORS
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
 #endif

@@ -58,7 +58,7 @@ constexpr auto on_copy(R& r, const Draw& draw) {
 }
 
 // Calls draw(rows) with a raster as its rows allow: a view where they stand evenly, else itself. Where only a window of
-// it may be touched, and for doors, which know views alone, that is a view of a copy.
+// it may be touched, and for irg::compiled, which knows views alone, that is a view of a copy.
 template <RowRaster R, class Draw>
 constexpr auto on_rows(R& r, const Draw& draw) {
   if constexpr (has_window<std::remove_const_t<R>> || (!EvenRowRaster<R> && IRG_BODIES == 0)) {

@@ -19,14 +19,14 @@
 #include <irg/render/detail/visible/visible_pixels.hpp>
 #endif
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // Draws all tiles as a method finds what they show, which writes into `ids`, and hands each to `finish`.
 template <class Order, Floating T, class Depth>
-IRG_DOOR render_counts draw_by_ids(const method_ref<T>& method, image<std::uint32_t>& ids, Depth& depth,
-                                   const tile_job<T>& job, const tile_finish<T>& finish, const executor_ref& executor);
+IRG_API render_counts draw_by_ids(const method_ref<T>& method, image<std::uint32_t>& ids, Depth& depth,
+                                  const tile_job<T>& job, const tile_finish<T>& finish, const executor_ref& executor);
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 #if IRG_BODIES
 namespace irg::detail {
@@ -154,13 +154,13 @@ struct method_tiles {
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Order, Floating T, class Depth>
-IRG_DOOR render_counts draw_by_ids(const method_ref<T>& method, image<std::uint32_t>& ids, Depth& depth,
-                                   const tile_job<T>& job, const tile_finish<T>& finish, const executor_ref& executor) {
+IRG_API render_counts draw_by_ids(const method_ref<T>& method, image<std::uint32_t>& ids, Depth& depth,
+                                  const tile_job<T>& job, const tile_finish<T>& finish, const executor_ref& executor) {
   return draw_tiles<T>(method_tiles<Order, T>{method, ids}, depth, job, finish, executor);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

@@ -80,14 +80,14 @@ IRG_APART constexpr tile_job<T> job_of(const projected_triangles<T>& triangles, 
 
 }  // namespace detail
 
-namespace detail::inline IRG_DOORS {
+namespace detail::inline IRG_COMPILED_ABI {
 
 // Draws all tiles by comparing depths, and hands each to `finish`.
 template <class Order, tile_test Test, Floating T, class Depth>
-IRG_DOOR render_counts draw_zbuffer(Depth& depth, const tile_job<T>& job, const tile_finish<T>& finish,
-                                    const executor_ref& executor);
+IRG_API render_counts draw_zbuffer(Depth& depth, const tile_job<T>& job, const tile_finish<T>& finish,
+                                   const executor_ref& executor);
 
-}  // namespace detail::inline IRG_DOORS
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -282,13 +282,13 @@ constexpr render_counts draw_tiles(const Method& method, Depth& depth, const til
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::detail::inline IRG_DOORS {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <class Order, tile_test Test, Floating T, class Depth>
-IRG_DOOR render_counts draw_zbuffer(Depth& depth, const tile_job<T>& job, const tile_finish<T>& finish,
-                                    const executor_ref& executor) {
+IRG_API render_counts draw_zbuffer(Depth& depth, const tile_job<T>& job, const tile_finish<T>& finish,
+                                   const executor_ref& executor) {
   return draw_tiles<T>(zbuffer_tiles<Order, Test>{}, depth, job, finish, executor);
 }
 
-}  // namespace irg::detail::inline IRG_DOORS
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 #endif

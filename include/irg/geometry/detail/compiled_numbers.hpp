@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What geometry's doors take points of any type as: irg's own, of floats or doubles.
+// What irg::compiled takes points of any type as: irg's own, of floats or doubles.
 #pragma once
 
 #include <concepts>
@@ -10,28 +10,28 @@
 
 namespace irg::detail {
 
-/// The floating-point numbers that hold every T, where there are some: what the doors take numbers of type T as.
+/// The floating-point numbers that hold every T, where there are some: what irg::compiled takes numbers of type T as.
 template <class T>
-struct door_number {};
+struct library_number {};
 template <Floating T>
-struct door_number<T> {
+struct library_number<T> {
   using type = T;
 };
 template <std::integral T>
   requires(sizeof(T) <= 4)
-struct door_number<T> {
+struct library_number<T> {
   using type = double;
 };
 template <class T>
-concept DoorNumber = requires { typename door_number<T>::type; };
+concept CompiledNumber = requires { typename library_number<T>::type; };
 
 /// That type, or T itself where there is none.
 template <class T>
-struct door_number_or {
+struct library_number_or {
   using type = T;
 };
-template <DoorNumber T>
-struct door_number_or<T> : door_number<T> {};
+template <CompiledNumber T>
+struct library_number_or<T> : library_number<T> {};
 
 inline namespace IRG_ABI {
 
@@ -50,11 +50,11 @@ IRG_INLINE constexpr P own_point(const point<T, size_of<P>>& p) noexcept {
     return generate_coordinates<P>([&](int i) { return p[i]; });
 }
 
-/// The point as the doors take it.
+/// The point as irg::compiled takes it.
 template <Point P>
-  requires DoorNumber<scalar_of<P>>
-IRG_INLINE constexpr auto door_point(const P& p) noexcept {
-  return as_point<typename door_number<scalar_of<P>>::type>(p);
+  requires CompiledNumber<scalar_of<P>>
+IRG_INLINE constexpr auto library_point(const P& p) noexcept {
+  return as_point<typename library_number<scalar_of<P>>::type>(p);
 }
 
 }  // namespace IRG_ABI
