@@ -2,9 +2,15 @@
 // 10_renderer - from vertex to pixel by the public stages: a torus as renderer.png, or the file that is named.
 // previous: 09_shader, next: 11_own_method
 #include <irg/colour/srgb.hpp>
+#include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/io/image_file.hpp>
 #include <irg/mesh/shapes.hpp>
+#include <irg/raster/depth.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/raster/projected_vertices.hpp>
+#include <irg/raster/triangle_coverage.hpp>
+#include <irg/raster/triangle_setup.hpp>
+#include <irg/render/draw_triangles.hpp>
 #include <irg/render/drawable.hpp>
 #include <irg/scene/camera.hpp>
 

@@ -24,6 +24,7 @@
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/render/detail/shade/object_shading.hpp>
 #include <irg/render/draw_transparent.hpp>
+#include <irg/render/draw_triangles.hpp>
 #include <irg/render/prepared_scene.hpp>
 #include <irg/render/wireframe.hpp>
 

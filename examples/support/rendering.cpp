@@ -12,6 +12,7 @@
 #include <irg/io/file.hpp>
 #include <irg/io/svg_drawing.hpp>
 #include <irg/mesh/merge_positions.hpp>
+#include <irg/raster/fill_span.hpp>
 #include <irg/raster/line_aa.hpp>
 #include <irg/render/render_traced.hpp>
 #include <irg/trace/ray_tracing.hpp>

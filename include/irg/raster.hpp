@@ -51,8 +51,10 @@
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/foreign_view.hpp>
 #include <irg/raster/line_style.hpp>
+#include <irg/raster/piece_weights.hpp>
 #include <irg/raster/pixel_weights.hpp>
 #include <irg/raster/screen_pieces.hpp>
 #include <irg/raster/stroke_font.hpp>
 #include <irg/raster/triangle_setup.hpp>
+#include <irg/raster/vertex_lanes.hpp>
 #include <irg/raster/window.hpp>

@@ -8,6 +8,7 @@
 
 #include <irg/core/threads.hpp>
 #include <irg/mesh/shapes.hpp>
+#include <irg/raster/window.hpp>
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
@@ -370,6 +371,23 @@ TEST_CASE("render: draws into views, upside down too") {
     for (int x = 0; x < 30; ++x)
       REQUIRE(memory[static_cast<std::size_t>((16 - y) * 30 + x)] ==
               (x < 24 ? expected.picture.colour(x, y) : irg::rgba8{7, 7, 7, 7}));
+}
+
+TEST_CASE("render: of a picture within a window nothing else is touched") {
+  const auto s = scene_of({triangle_at(0)});
+  const irg::cell_window window{30, 20, 70, 50};
+  for (const auto style : {irg::picture_style::gouraud, irg::picture_style::wire}) {
+    irg::image<irg::rgba8> picture(80, 70, {7, 7, 7, 7});
+    irg::image<float> depth(80, 70);
+    const auto part = irg::within(picture, window);
+    irg::render(s, irg::render_target{part, depth}, {.style = style});
+    const auto whole = test::render(s, 80, 70, {.style = style});
+    for (int y = 0; y < 70; ++y)
+      for (int x = 0; x < 80; ++x) {
+        const bool is_in = x >= 30 && x < 70 && y >= 20 && y < 50;
+        REQUIRE(picture(x, y) == (is_in ? whole.picture.colour(x, y) : irg::rgba8{7, 7, 7, 7}));
+      }
+  }
 }
 
 template <class Colour, class Depth>

@@ -9,7 +9,7 @@
 namespace irg {
 
 /// Red, green, blue and opacity, 8 bits each, sRGB-encoded; byte 0 is red. The pixel of pictures and of `render`.
-struct rgba8 {
+struct [[gnu::visibility("default")]] rgba8 {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
   bool operator==(const rgba8&) const = default;
 };

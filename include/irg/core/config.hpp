@@ -60,9 +60,45 @@
 #else
 #define IRG_CHECKS checked
 #endif
-#define IRG_JOIN_EXPANDED(major, isa, fma, checks) v##major##_##isa##_##fma##_##checks
-#define IRG_JOIN(major, isa, fma, checks) IRG_JOIN_EXPANDED(major, isa, fma, checks)
-#define IRG_ABI IRG_JOIN(IRG_VERSION_MAJOR, IRG_ISA, IRG_ISA_FMA, IRG_CHECKS)
+
+// The functions of the heavy half are compiled once for a program that links irg::compiled. There IRG_COMPILED is
+// defined, these functions are declared and their bodies not read: IRG_BODIES is 0. Constant evaluation needs bodies: a
+// file that defines IRG_HEADER_ONLY before its first header of irg has them, as if there were no library. The library's
+// own files define IRG_COMPILING.
+//   IRG_API           stands where constexpr would, in the declaration of such a function and in its definition
+//   IRG_COMPILED_ABI  names their inline namespace: one for all instruction sets where they are compiled apart
+// They are templates, whose instances src/*.cpp lists. Whatever calls them differs between the three, and so does the
+// name of its namespace.
+#if defined(IRG_COMPILING)
+#define IRG_BODIES 1
+#define IRG_LINKAGE library
+#elif defined(IRG_COMPILED) && !defined(IRG_HEADER_ONLY)
+#define IRG_BODIES 0
+#define IRG_LINKAGE compiled
+#else
+#define IRG_BODIES 1
+#define IRG_LINKAGE header
+#endif
+#define IRG_JOIN_EXPANDED(major, isa, fma, checks, linkage) v##major##_##isa##_##fma##_##checks##_##linkage
+#define IRG_JOIN(major, isa, fma, checks, linkage) IRG_JOIN_EXPANDED(major, isa, fma, checks, linkage)
+#define IRG_ABI IRG_JOIN(IRG_VERSION_MAJOR, IRG_ISA, IRG_ISA_FMA, IRG_CHECKS, IRG_LINKAGE)
+#if defined(IRG_COMPILING) || !IRG_BODIES
+#ifdef __GNUC__
+#define IRG_API [[gnu::visibility("default")]]
+#else
+#define IRG_API
+#endif
+#define IRG_JOIN_COMPILED_EXPANDED(major, minor, decisions) compiled_v##major##_##minor##_##decisions
+#define IRG_JOIN_COMPILED(major, minor, decisions) IRG_JOIN_COMPILED_EXPANDED(major, minor, decisions)
+#ifdef IRG_ALLOW_FAST_MATH
+#define IRG_COMPILED_ABI IRG_JOIN_COMPILED(IRG_VERSION_MAJOR, IRG_VERSION_MINOR, fast)
+#else
+#define IRG_COMPILED_ABI IRG_JOIN_COMPILED(IRG_VERSION_MAJOR, IRG_VERSION_MINOR, exact)
+#endif
+#else
+#define IRG_API constexpr
+#define IRG_COMPILED_ABI IRG_ABI
+#endif
 
 // Where a program is built for one instruction set, IRG_INLINE_AS_USUAL leaves it to the compiler what it inlines: for
 // stepping through with a debugger and for builds with sanitizers, which it makes several times quicker. Without

@@ -11,6 +11,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/is_finite.hpp>
+#include <irg/curve/detail/surface_bends.hpp>
 #include <irg/curve/surface_tessellation.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/triangulate_monotone.hpp>
@@ -35,6 +36,15 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
                                                                  Sink&& sink);
 
 }  // namespace irg::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <CompiledControlPoint P>
+IRG_API std::optional<surface_tessellation> send_trimmed_surface(
+    const control_net<P>& net, const std::vector<point<scalar_of<P>, 2>>& places,
+    const std::vector<std::array<std::uint32_t, 3>>& triangles, scalar_of<P> tolerance, const triangle_sink<P>& sink);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -78,6 +88,37 @@ constexpr void each_part(std::vector<point<T, 2>> polygon, int axis, const patch
   }
 }
 
+// The triangles of a polygon, cut along the lines of a surface.
+template <CurvePoint P, class Sink>
+constexpr std::optional<surface_tessellation> tessellate_parts(
+    const control_net<P>& net, const std::vector<point<scalar_of<P>, 2>>& places,
+    const std::vector<std::array<std::uint32_t, 3>>& triangles, scalar_of<P> tolerance, Sink& sink) {
+  using T = scalar_of<P>;
+  using corner = surface_corner<P>;
+  surface_tessellation done;
+  if (!has_finite_bends(net)) return surface_tessellation{0, 0, false};
+  if (net.rows() < 2 || net.columns < 2) return done;
+  patch_bends<P> bends(net);
+  const auto along_u = cuts_of_patch(bends, tolerance, true), along_v = cuts_of_patch(bends, tolerance, false);
+  done.within_tolerance = along_u.within && along_v.within;
+  for (const auto& p : places)
+    if (!is_finite(p)) return std::nullopt;
+  std::vector<P> room(2 * net.columns + net.rows(), P{});
+  std::vector<corner> corners;
+  const auto put = [&](const std::vector<point<T, 2>>& part) {
+    corners.clear();
+    for (const auto& p : part) {
+      const curve_parameter<T> u(p.x), v(p.y);
+      corners.push_back({done.corners++, u, v, on_surface(patch_sample(net, u, v, room).point)});
+    }
+    for (std::size_t k = 2; k < corners.size(); ++k) put_triangle(done, sink, corners[0], corners[k - 1], corners[k]);
+  };
+  for (const std::array<std::uint32_t, 3>& t : triangles)
+    each_part<T>({places[t[0]], places[t[1]], places[t[2]]}, 0, along_u,
+                 [&](const auto& strip) { each_part<T>(strip, 1, along_v, put); });
+  return done;
+}
+
 }  // namespace irg::detail::inline IRG_ABI
 
 namespace irg::inline IRG_ABI {
@@ -88,45 +129,38 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
                                                                  std::type_identity_t<scalar_of<P>> tolerance,
                                                                  Sink&& sink) {
   using T = scalar_of<P>;
-  using corner = surface_corner<P>;
   const triangulation parts = triangulate_monotone(polygon);
   if (parts.status != triangulation_status::ok) return std::nullopt;
-  surface_tessellation done;
-  if (!detail::has_finite_bends(net)) return surface_tessellation{0, 0, false};
-  if (net.rows() < 2 || net.columns < 2) return done;
-  detail::patch_bends<P> bends(net);
-  const auto along_u = detail::cuts_of_patch(bends, tolerance, true),
-             along_v = detail::cuts_of_patch(bends, tolerance, false);
-  done.within_tolerance = along_u.within && along_v.within;
   std::vector<point<T, 2>> places;
-  bool all_finite = true;
   const auto add = [&](const auto& ring) {
     for (std::size_t k = 0; k < ring_size(ring); ++k) {
       const auto p = ring_vertex(ring, k);
       places.push_back({converted<T>(coordinate(p, 0)), converted<T>(coordinate(p, 1))});
-      all_finite = all_finite && is_finite(places.back());
     }
   };
   if constexpr (PlaneRing<R>)
     add(polygon);
   else
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::size(polygon)); ++i) add(polygon[i]);
-  if (!all_finite) return std::nullopt;
-  std::vector<P> room(2 * net.columns + net.rows(), P{});
-  std::vector<corner> corners;
-  const auto put = [&](const std::vector<point<T, 2>>& part) {
-    corners.clear();
-    for (const auto& p : part) {
-      const curve_parameter<T> u(p.x), v(p.y);
-      corners.push_back({done.corners++, u, v, detail::on_surface(patch_sample(net, u, v, room).point)});
-    }
-    for (std::size_t k = 2; k < corners.size(); ++k)
-      detail::put_triangle(done, sink, corners[0], corners[k - 1], corners[k]);
-  };
-  for (const std::array<std::uint32_t, 3>& t : parts.triangles)
-    detail::each_part<T>({places[t[0]], places[t[1]], places[t[2]]}, 0, along_u,
-                         [&](const auto& strip) { detail::each_part<T>(strip, 1, along_v, put); });
-  return done;
+  if constexpr (!IRG_BODIES && detail::CompiledControlPoint<P>)
+    return detail::send_trimmed_surface(
+        net, places, parts.triangles, tolerance,
+        as_function<void(const surface_corner<P>&, const surface_corner<P>&, const surface_corner<P>&)>(sink));
+  else
+    return detail::tessellate_parts(net, places, parts.triangles, tolerance, sink);
 }
 
 }  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <CompiledControlPoint P>
+IRG_API std::optional<surface_tessellation> send_trimmed_surface(
+    const control_net<P>& net, const std::vector<point<scalar_of<P>, 2>>& places,
+    const std::vector<std::array<std::uint32_t, 3>>& triangles, scalar_of<P> tolerance, const triangle_sink<P>& sink) {
+  return tessellate_parts(net, places, triangles, tolerance, sink);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

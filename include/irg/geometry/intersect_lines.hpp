@@ -31,6 +31,17 @@ struct lines_meeting {
 
 namespace detail {
 
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T, int N>
+IRG_API lines_meeting<point<T, N>> meeting_of_lines(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
+                                                    const point<T, N>& d) noexcept;
+template <Floating T, int N>
+IRG_API lines_meeting<point<T, N>> meeting_of_lines(const parametric_line<T, N>& first,
+                                                    const parametric_line<T, N>& second) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+
 // The type of the place where such points' lines meet: in doubles for points of integers.
 template <Point P>
 using meeting_point = std::conditional_t<std::integral<scalar_of<P>>, point<double, size_of<P>>, P>;
@@ -123,6 +134,19 @@ constexpr lines_meeting<P> rounded_meeting(const line_crossing<V, D>& c) noexcep
           rounded_to<T>(c.s / c.divisor)};
 }
 
+template <Point P>
+constexpr lines_meeting<meeting_point<P>> find_meeting_of_lines(const P& a, const P& b, const P& c,
+                                                                const P& d) noexcept {
+  if (same_place(a, b) || same_place(c, d)) return {};
+  return rounded_meeting<meeting_point<P>>(cross_lines(a, b, c, d));
+}
+template <Real T, int N>
+constexpr lines_meeting<point<T, N>> find_meeting_of_lines(const parametric_line<T, N>& first,
+                                                           const parametric_line<T, N>& second) noexcept {
+  if (is_zero(first.direction) || is_zero(second.direction)) return {};
+  return rounded_meeting<point<T, N>>(cross_lines(first.origin, first.direction, second.origin, second.direction));
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -138,8 +162,13 @@ template <Point P>
   requires(Scalar<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr auto intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept
     -> lines_meeting<detail::meeting_point<P>> {
-  if (same_place(a, b) || same_place(c, d)) return {};
-  return detail::rounded_meeting<detail::meeting_point<P>>(detail::cross_lines(a, b, c, d));
+  if constexpr (detail::CompiledNumber<scalar_of<P>>) {
+    const auto m = detail::meeting_of_lines(detail::library_point(a), detail::library_point(b),
+                                            detail::library_point(c), detail::library_point(d));
+    return {m.relation, detail::own_point<detail::meeting_point<P>>(m.at), m.t, m.s};
+  } else {
+    return detail::find_meeting_of_lines(a, b, c, d);
+  }
 }
 
 /// The same for lines given by origin and direction; t and s count in their directions.
@@ -149,12 +178,31 @@ template <Real T, int N>
   requires(N == 2 || N == 3)
 [[nodiscard]] constexpr lines_meeting<point<T, N>> intersect_lines(const parametric_line<T, N>& first,
                                                                    const parametric_line<T, N>& second) noexcept {
-  if (detail::is_zero(first.direction) || detail::is_zero(second.direction)) return {};
-  return detail::rounded_meeting<point<T, N>>(
-      detail::cross_lines(first.origin, first.direction, second.origin, second.direction));
+  if constexpr (Floating<T>)
+    return detail::meeting_of_lines(first, second);
+  else
+    return detail::find_meeting_of_lines(first, second);
 }
 
 IRG_REFUSES_VECTORS(intersect_lines);
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int N>
+IRG_API lines_meeting<point<T, N>> meeting_of_lines(const point<T, N>& a, const point<T, N>& b, const point<T, N>& c,
+                                                    const point<T, N>& d) noexcept {
+  return find_meeting_of_lines(a, b, c, d);
+}
+
+template <Floating T, int N>
+IRG_API lines_meeting<point<T, N>> meeting_of_lines(const parametric_line<T, N>& first,
+                                                    const parametric_line<T, N>& second) noexcept {
+  return find_meeting_of_lines(first, second);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -27,6 +27,14 @@ struct segments_meeting {
   }
 };
 
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int N>
+IRG_API segments_meeting<point<T, N>> meeting_of_segments(const point<T, N>& a, const point<T, N>& b,
+                                                          const point<T, N>& c, const point<T, N>& d) noexcept;
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
 namespace detail::inline IRG_ABI {
 
 // A point given, as a place where two segments meet.
@@ -60,6 +68,27 @@ constexpr bool on_one_side(const P& a, const P& b, const P& c, const P& d) noexc
   return side != 0 && side == orient2d(a, b, d);
 }
 
+template <Point P>
+constexpr segments_meeting<meeting_point<P>> find_meeting_of_segments(const P& a, const P& b, const P& c,
+                                                                      const P& d) noexcept {
+  using M = meeting_point<P>;
+  using T = scalar_of<M>;
+  if (!is_finite(a, b, c, d)) return {};
+  if constexpr (size_of<P> == 2)
+    if (on_one_side(a, b, c, d) || on_one_side(c, d, a, b)) return {};
+  const auto m = cross_lines(a, b, c, d);
+  if (m.relation == flat_relation::coincident) return common_part(a, b, c, d);
+  if (m.relation != flat_relation::crossing) return {};
+  const int side = sign_of(m.divisor);
+  const auto part = [&](const auto& v) { return sign_of(v) * side; };
+  const int t = part(m.t), t_rest = part(m.t_rest), s = part(m.s), s_rest = part(m.s_rest);
+  if (t < 0 || t_rest < 0 || s < 0 || s_rest < 0) return {};
+  const auto parameter = [&](const auto& v, int rest) { return rest == 0 ? T(1) : rounded_to<T>(v / m.divisor); };
+  const P* end = t == 0 ? &a : t_rest == 0 ? &b : s == 0 ? &c : s_rest == 0 ? &d : nullptr;
+  const M at = end != nullptr ? as_meeting(*end) : rounded_coordinates<M>(m.at / m.divisor);
+  return {segment_relation::point, at, at, parameter(m.t, t_rest), parameter(m.s, s_rest)};
+}
+
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
@@ -73,22 +102,18 @@ template <Point P>
   requires(Scalar<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr auto intersect_segments(const P& a, const P& b, const P& c, const P& d) noexcept
     -> segments_meeting<detail::meeting_point<P>> {
-  using M = detail::meeting_point<P>;
-  using T = scalar_of<M>;
-  if (!is_finite(a, b, c, d)) return {};
-  if constexpr (size_of<P> == 2)
-    if (detail::on_one_side(a, b, c, d) || detail::on_one_side(c, d, a, b)) return {};
-  const auto m = detail::cross_lines(a, b, c, d);
-  if (m.relation == flat_relation::coincident) return detail::common_part(a, b, c, d);
-  if (m.relation != flat_relation::crossing) return {};
-  const int side = sign_of(m.divisor);
-  const auto part = [&](const auto& v) { return sign_of(v) * side; };
-  const int t = part(m.t), t_rest = part(m.t_rest), s = part(m.s), s_rest = part(m.s_rest);
-  if (t < 0 || t_rest < 0 || s < 0 || s_rest < 0) return {};
-  const auto parameter = [&](const auto& v, int rest) { return rest == 0 ? T(1) : rounded_to<T>(v / m.divisor); };
-  const P* end = t == 0 ? &a : t_rest == 0 ? &b : s == 0 ? &c : s_rest == 0 ? &d : nullptr;
-  const M at = end != nullptr ? detail::as_meeting(*end) : rounded_coordinates<M>(m.at / m.divisor);
-  return {segment_relation::point, at, at, parameter(m.t, t_rest), parameter(m.s, s_rest)};
+  if constexpr (detail::CompiledNumber<scalar_of<P>>) {
+    if constexpr (size_of<P> == 2 && !IRG_BODIES) {  // what is told in less time than a call takes
+      if (!is_finite(a, b, c, d)) return {};
+      if (detail::on_one_side(a, b, c, d) || detail::on_one_side(c, d, a, b)) return {};
+    }
+    const auto m = detail::meeting_of_segments(detail::library_point(a), detail::library_point(b),
+                                               detail::library_point(c), detail::library_point(d));
+    using M = detail::meeting_point<P>;
+    return {m.relation, detail::own_point<M>(m.first), detail::own_point<M>(m.last), m.t, m.s};
+  } else {
+    return detail::find_meeting_of_segments(a, b, c, d);
+  }
 }
 
 /// The same for segments by name.
@@ -101,3 +126,15 @@ IRG_REFUSES_VECTORS(intersect_segments);
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int N>
+IRG_API segments_meeting<point<T, N>> meeting_of_segments(const point<T, N>& a, const point<T, N>& b,
+                                                          const point<T, N>& c, const point<T, N>& d) noexcept {
+  return find_meeting_of_segments(a, b, c, d);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

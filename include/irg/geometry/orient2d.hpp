@@ -57,6 +57,7 @@ IRG_INLINE constexpr int filtered_sign(const point_table<double, 3, 2>& p, doubl
   return magnitude(area) > x * y * factor ? sign_of_nonzero(area) : 0;
 }
 
+#if IRG_BODIES
 // The same with the rounding errors of the differences and of their products in the sum.
 //
 // What is left out: products of two errors, 2u^2*X*Y in all; roundings of the sums of errors, 7u^2*X*Y for each product
@@ -75,6 +76,7 @@ IRG_INLINE constexpr int compensated_sign(const point_table<double, 3, 2>& p) no
   const double y = maximum(magnitude(acy.value), magnitude(bcy.value)) + t;
   return magnitude(area) > x * y * factor ? sign_of_nonzero(area) : 0;
 }
+#endif
 
 }  // namespace irg::detail::inline IRG_ABI
 

@@ -52,6 +52,7 @@ IRG_INLINE constexpr int filtered_sign(const point_table<double, 4, 3>& t, doubl
   return magnitude(volume) > bound ? sign_of_nonzero(volume) : 0;
 }
 
+#if IRG_BODIES
 // The same with the rounding errors of differences, products and sums.
 //
 // Of p*q - r*s, for p and r below X and q and s below Y, the low part is below 9u*X*Y, made with at most 8 roundings;
@@ -89,6 +90,7 @@ IRG_INLINE constexpr int orient3d_compensated(const point_table<double, 4, 3>& t
 IRG_INLINE constexpr int compensated_sign(const point_table<double, 4, 3>& t) noexcept {
   return has_fused_multiply_add ? orient3d_compensated(t) : 0;  // integers are faster where nothing is fused
 }
+#endif
 
 }  // namespace irg::detail::inline IRG_ABI
 

@@ -8,20 +8,26 @@
 // on every decision is exact, whatever coincides.
 #pragma once
 
-#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
-#include <irg/core/conversion.hpp>
-#include <irg/geometry/attributed_point.hpp>
+#include <irg/core/coordinates.hpp>
+#include <irg/core/is_finite.hpp>
+#include <irg/geometry/polygon.hpp>
 #include <irg/geometry/vocabulary.hpp>
+#if IRG_BODIES
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/polygon.hpp>
 #include <irg/math/exact_sum.hpp>
+#endif
 
 namespace irg {
 
@@ -77,6 +83,73 @@ constexpr void add_piece(std::vector<boundary_piece<T>>& pieces, const point<T, 
   else
     pieces.push_back({q, p, {-times[0], -times[1]}});
 }
+
+template <class T, PlaneRing R>
+constexpr bool add_ring(std::vector<boundary_piece<T>>& pieces, const R& ring, int polygon) {
+  const int times[2] = {polygon == 0 ? 1 : 0, polygon == 1 ? 1 : 0};
+  const auto at = [&](std::size_t i) {
+    const auto v = ring_vertex(ring, i);
+    return point<T, 2>{static_cast<T>(coordinate(v, 0)), static_cast<T>(coordinate(v, 1))};
+  };
+  for (std::size_t i = 0; i < ring_size(ring); ++i) {
+    if (!is_finite(at(i))) return false;
+    if (is_finite(at(i + 1))) add_piece(pieces, at(i), at(i + 1), times);
+  }
+  return true;
+}
+
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
+// What the pieces of two polygons' boundaries, which it uses up, come to.
+template <Floating T>
+IRG_API clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
+                                        fill_rule rule);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The polygon that belongs to both a and b (intersection), to either (union), to a but not b (difference), or to one
+/// of them alone (symmetric_difference). A polygon is a ring or a list of rings, of any direction and in any order;
+/// vertices may repeat, rings may touch, overlap and cross themselves and each other: `rule` says what is inside.
+/// shape   floats, doubles, or integers of up to 32 bits, whose crossings are doubles
+/// gives   rings that do not cross, outer ones counter-clockwise, holes clockwise; pieces that touch in a point are
+///         rings of their own. Vertices on straight edges are left out; no ring is without area. No rings when nothing
+///         is left; status not_finite when a coordinate is NaN or infinite. What was done and skipped is counted
+/// exact   crossings are rounded to within 0.501 ulp, edges bend by as much; for the polygons so bent every decision is
+///         exact. So areas add up, a + b = union + intersection, to within an ulp of the coordinates times the length
+///         of the boundaries; where no crossing has to be rounded nothing is lost at all
+/// cost    n pieces of boundary: n log n, n for each that overlaps in x; some 0.2 us a crossing
+/// source  Weiler and Atherton 1977; Weiler 1980; Hobby 1999
+template <PlanePolygon A, PlanePolygon B>
+  requires OverlayScalar<scalar_of<polygon_point<A>>> &&
+           std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
+[[nodiscard]] constexpr auto polygon_boolean(const A& a, const B& b,
+                                             boolean_operation operation = boolean_operation::intersection,
+                                             fill_rule rule = fill_rule::even_odd) {
+  using S = scalar_of<polygon_point<A>>;
+  using T = std::conditional_t<Floating<S>, S, double>;
+  std::vector<detail::boundary_piece<T>> pieces;
+  bool finite = true;
+  const auto add = [&](const auto& polygon, int number) {
+    for (std::size_t i = 0; i < detail::ring_count(polygon); ++i)
+      finite = finite && detail::add_ring(pieces, detail::ring_of(polygon, i), number);
+  };
+  add(a, 0), add(b, 1);
+  if (!finite) return clipped_rings<T>{polygon_clip_status::not_finite, {}, {}};
+  return detail::combine_pieces(pieces, operation, rule);
+}
+
+IRG_RENAMED(polygon_overlay, polygon_boolean)
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // Pieces from the same place to the same place become one; those that are walked as often back as forth go.
 template <class T>
@@ -284,23 +357,13 @@ constexpr std::vector<std::vector<point<T, 2>>> rings_of(std::vector<std::pair<p
   return rings;
 }
 
-template <class T, PlaneRing R>
-constexpr bool add_ring(std::vector<boundary_piece<T>>& pieces, const R& ring, int polygon) {
-  const int times[2] = {polygon == 0 ? 1 : 0, polygon == 1 ? 1 : 0};
-  const auto at = [&](std::size_t i) {
-    const auto v = ring_vertex(ring, i);
-    return point<T, 2>{static_cast<T>(coordinate(v, 0)), static_cast<T>(coordinate(v, 1))};
-  };
-  for (std::size_t i = 0; i < ring_size(ring); ++i) {
-    if (!is_finite(at(i))) return false;
-    if (is_finite(at(i + 1))) add_piece(pieces, at(i), at(i + 1), times);
-  }
-  return true;
-}
+}  // namespace irg::detail::inline IRG_ABI
 
-template <class T>
-constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
-                                          fill_rule rule) {
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
+                                        fill_rule rule) {
   merge_pieces(pieces);
   // As a rule one round of cuts and one that finds none. Where edges lie within an ulp of each other over a long way,
   // bent edges cross anew; from the fourth round on they bend to what is an ulp of the largest coordinate away.
@@ -334,43 +397,5 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
   return {polygon_clip_status::ok, rings_of(ways), counts};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-
-inline namespace IRG_ABI {
-
-/// The polygon that belongs to both a and b (intersection), to either (union), to a but not b (difference), or to one
-/// of them alone (symmetric_difference). A polygon is a ring or a list of rings, of any direction and in any order;
-/// vertices may repeat, rings may touch, overlap and cross themselves and each other: `rule` says what is inside.
-/// shape   floats, doubles, or integers of up to 32 bits, whose crossings are doubles
-/// gives   rings that do not cross, outer ones counter-clockwise, holes clockwise; pieces that touch in a point are
-///         rings of their own. Vertices on straight edges are left out; no ring is without area. No rings when nothing
-///         is left; status not_finite when a coordinate is NaN or infinite. What was done and skipped is counted
-/// exact   crossings are rounded to within 0.501 ulp, edges bend by as much; for the polygons so bent every decision is
-///         exact. So areas add up, a + b = union + intersection, to within an ulp of the coordinates times the length
-///         of the boundaries; where no crossing has to be rounded nothing is lost at all
-/// cost    n pieces of boundary: n log n, n for each that overlaps in x; some 0.2 us a crossing
-/// source  Weiler and Atherton 1977; Weiler 1980; Hobby 1999
-template <PlanePolygon A, PlanePolygon B>
-  requires OverlayScalar<scalar_of<polygon_point<A>>> &&
-           std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
-[[nodiscard]] constexpr auto polygon_boolean(const A& a, const B& b,
-                                             boolean_operation operation = boolean_operation::intersection,
-                                             fill_rule rule = fill_rule::even_odd) {
-  using S = scalar_of<polygon_point<A>>;
-  using T = std::conditional_t<Floating<S>, S, double>;
-  std::vector<detail::boundary_piece<T>> pieces;
-  bool finite = true;
-  const auto add = [&](const auto& polygon, int number) {
-    for (std::size_t i = 0; i < detail::ring_count(polygon); ++i)
-      finite = finite && detail::add_ring(pieces, detail::ring_of(polygon, i), number);
-  };
-  add(a, 0), add(b, 1);
-  if (!finite) return clipped_rings<T>{polygon_clip_status::not_finite, {}, {}};
-  return detail::combine_pieces(pieces, operation, rule);
-}
-
-IRG_RENAMED(polygon_overlay, polygon_boolean)
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

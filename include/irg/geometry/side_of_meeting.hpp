@@ -28,15 +28,31 @@ template <class N, class T, class F>
   return plane_points<input>{in_numbers<N>(p.a, number), in_numbers<N>(p.b, number), in_numbers<N>(p.c, number)};
 }
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// On which side of `of` the point lies in which three planes meet: above in front of it, below behind.
 /// needs   finite coordinates
 /// gives   nothing when the three do not meet in one point, `on` when the points of `of` lie on a line
 /// exact   for every finite float and double, of any magnitudes
 /// cost    some 0.3 us; where the point is nearly on the plane, a polynomial of degree 9 in exact numbers
 template <Floating T>
-[[nodiscard]] constexpr std::optional<side> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
-                                                            const plane_points<T>& third,
-                                                            const plane_points<T>& of) noexcept {
+[[nodiscard]] IRG_API std::optional<side> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
+                                                          const plane_points<T>& third,
+                                                          const plane_points<T>& of) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+[[nodiscard]] IRG_API std::optional<side> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
+                                                          const plane_points<T>& third,
+                                                          const plane_points<T>& of) noexcept {
   // In shares of the corners of the first plane, which sum up to 1, every other plane is a linear equation whose
   // coefficients are the corners' distances from it; so the point is the cross product of two of these.
   const auto [apart, beside] = sign_of<9>(
@@ -52,5 +68,5 @@ template <Floating T>
   return apart == 0 ? std::nullopt : std::optional(static_cast<side>(apart * beside));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

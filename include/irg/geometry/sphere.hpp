@@ -72,6 +72,19 @@ IRG_REFUSES_VECTORS(sphere_through);
 
 }  // namespace irg::inline IRG_ABI
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int N>
+IRG_API std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b) noexcept;
+template <Floating T, int N>
+IRG_API std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b,
+                                                       const point<T, N>& c) noexcept;
+template <Floating T>
+IRG_API std::optional<bounding_sphere<T, 3>> sphere_on(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
+                                                       const point<T, 3>& d) noexcept;
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
 namespace irg::detail::inline IRG_ABI {
 
 // The smallest sphere through a and up to three points at u, v, w from it: its centre is at `offset / (2 divisor)` from
@@ -102,25 +115,6 @@ constexpr sphere_centre<N, 3> centre_of_sphere(const vec<N, 3>& u, const vec<N, 
   return {dot(u, vw), vw * dot(u, u) + cross(w, u) * dot(v, v) + cross(u, v) * dot(w, w)};
 }
 
-template <Point P, class... More>
-constexpr auto sphere_of(const P& a, const More&... more) noexcept {
-  using T = scalar_of<P>;
-  using ball = bounding_sphere<T, size_of<P>>;
-  const auto values = values_of<5>(
-      [](const auto& from, const auto&... to) {
-        const auto c = centre_of_sphere((to - from)...);
-        const auto twice = c.divisor + c.divisor;
-        return std::tuple{twice, c.offset, to_vec(from) * twice + c.offset};
-      },
-      a, more...);
-  if (!values || is_zero(std::get<0>(*values))) return std::optional<ball>();
-  const auto& [divisor, offset, at] = *values;
-  scaled_double_double squared = offset[0] * offset[0];
-  for (int i = 1; i < size_of<P>; ++i) squared = squared + offset[i] * offset[i];
-  const T radius = magnitude(rounded_to<T>(sqrt(squared) / divisor));
-  return std::optional(ball{rounded_coordinates<point<T, size_of<P>>>(at / divisor), radius});
-}
-
 // Whether p lies within this distance of centre, which is the sum of the radii.
 template <Floating T, int N, class... R>
 constexpr bool lies_within(const point<T, N>& centre, const point<T, N>& p, box_boundary boundary,
@@ -144,14 +138,14 @@ template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_through(const P& a,
                                                                                                 const P& b) noexcept {
-  return detail::sphere_of(a, b);
+  return detail::sphere_on(detail::library_point(a), detail::library_point(b));
 }
 
 template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_through(const P& a, const P& b,
                                                                                                 const P& c) noexcept {
-  return detail::sphere_of(a, b, c);
+  return detail::sphere_on(detail::library_point(a), detail::library_point(b), detail::library_point(c));
 }
 
 template <Point P>
@@ -159,7 +153,8 @@ template <Point P>
 [[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, 3>> sphere_through(const P& a, const P& b,
                                                                                        const P& c,
                                                                                        const P& d) noexcept {
-  return detail::sphere_of(a, b, c, d);
+  return detail::sphere_on(detail::library_point(a), detail::library_point(b), detail::library_point(c),
+                           detail::library_point(d));
 }
 
 template <Floating T, int N>
@@ -198,3 +193,47 @@ template <Plane L, Floating T>
 }
 
 }  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
+template <Point P, class... More>
+constexpr auto sphere_of(const P& a, const More&... more) noexcept {
+  using T = scalar_of<P>;
+  using ball = bounding_sphere<T, size_of<P>>;
+  const auto values = values_of<5>(
+      [](const auto& from, const auto&... to) {
+        const auto c = centre_of_sphere((to - from)...);
+        const auto twice = c.divisor + c.divisor;
+        return std::tuple{twice, c.offset, to_vec(from) * twice + c.offset};
+      },
+      a, more...);
+  if (!values || is_zero(std::get<0>(*values))) return std::optional<ball>();
+  const auto& [divisor, offset, at] = *values;
+  scaled_double_double squared = offset[0] * offset[0];
+  for (int i = 1; i < size_of<P>; ++i) squared = squared + offset[i] * offset[i];
+  const T radius = magnitude(rounded_to<T>(sqrt(squared) / divisor));
+  return std::optional(ball{rounded_coordinates<point<T, size_of<P>>>(at / divisor), radius});
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int N>
+IRG_API std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b) noexcept {
+  return sphere_of(a, b);
+}
+template <Floating T, int N>
+IRG_API std::optional<bounding_sphere<T, N>> sphere_on(const point<T, N>& a, const point<T, N>& b,
+                                                       const point<T, N>& c) noexcept {
+  return sphere_of(a, b, c);
+}
+template <Floating T>
+IRG_API std::optional<bounding_sphere<T, 3>> sphere_on(const point<T, 3>& a, const point<T, 3>& b, const point<T, 3>& c,
+                                                       const point<T, 3>& d) noexcept {
+  return sphere_of(a, b, c, d);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -14,6 +14,7 @@
 #include <irg/core/is_finite.hpp>
 #include <irg/core/plane_concept.hpp>
 #include <irg/geometry/attributed_point.hpp>
+#include <irg/geometry/detail/compiled_numbers.hpp>
 #include <irg/geometry/detail/half_space.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/flat_ring.hpp>
@@ -91,49 +92,60 @@ namespace irg::detail {
 // and each two are joined by a stretch of the line. Their order is that of the edges they lie on, decided by exact
 // turns.
 
-// The vertices' positions as a ring.
-template <class R, class P>
-struct ring_of_positions {
-  const R* ring;
-  IRG_INLINE constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(ring->size()); }
-  IRG_INLINE constexpr P operator[](std::size_t i) const noexcept { return position_of((*ring)[i]); }
+// A vertex of the polygon, `back` and `front` being its number, or a cut of the edge between these two.
+template <class T, int D>
+struct split_entry {
+  std::uint32_t back, front;
+  int side;
+  T t;  // of a cut
+  point<T, D> at;
 };
+
+// A polygon with its cuts, and the parts of both sides as numbers of entries.
+template <class T, int D>
+struct split_plan {
+  std::vector<split_entry<T, D>> entries{};
+  std::vector<std::vector<std::uint32_t>> front{}, back{};
+};
+
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T, int D>
+IRG_API split_plan<T, D> plan_of_split(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
+                                       const half_space<T, D>& boundary);
+
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
-template <PolygonVertex V, int D>
+template <class T, int D>
 class polygon_splitter {
 public:
-  using T = vertex_scalar<V>;
-
-  template <class R>
-  constexpr explicit polygon_splitter(const R& ring) {
-    const ring_of_positions<R, vertex_position<V>> positions{&ring};
+  constexpr explicit polygon_splitter(const std::vector<point<T, D>>& positions) {
     const auto flatten = [&](const auto& flat) {
       for (std::size_t i = 0; i < positions.size(); ++i)
         flat_.push_back({coordinate(flat[i], 0), coordinate(flat[i], 1)});
     };
     if constexpr (D == 3)
-      flatten(flat_ring<ring_of_positions<R, vertex_position<V>>>(positions, dropped_axis(positions).value_or(2)));
+      flatten(flat_ring<std::vector<point<T, D>>>(positions, dropped_axis(positions).value_or(2)));
     else
       flatten(positions);
     orientation_ = shoelace_sign(flat_);
   }
 
   // The ring with a new vertex wherever an edge passes through the boundary.
-  template <class R, class F>
-  constexpr void cut(const R& ring, const std::vector<int>& sides, const half_space<T, D>& boundary,
-                     const F& interpolate) {
+  constexpr void cut(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
+                     const half_space<T, D>& boundary) {
     const auto n = static_cast<std::uint32_t>(sides.size());
+    entries_.reserve(n + std::size_t{2});
     for (std::uint32_t i = 0; i < n; ++i) {
       const std::uint32_t j = i + 1 < n ? i + 1 : 0;
-      entries_.push_back({ring[i], sides[i], i, i});
+      entries_.push_back({i, i, sides[i], T(0), ring[i]});
       if (sides[i] > 0) front_vertex_ = i;
       if (sides[i] * sides[j] >= 0) continue;
       const std::uint32_t front = sides[i] > 0 ? i : j, back = sides[i] > 0 ? j : i;
-      const auto meeting = meet_half_space(position_of(ring[front]), position_of(ring[back]), boundary);
-      entries_.push_back(
-          {placed_at(V(interpolate(V(ring[front]), V(ring[back]), meeting.t)), meeting.at), 0, back, front});
+      const auto meeting = meet_half_space(ring[front], ring[back], boundary);
+      entries_.push_back({back, front, 0, meeting.t, meeting.at});
     }
     for (std::uint32_t k = 0; k < entries_.size(); ++k)
       if (entries_[k].side == 0) on_line_.push_back(k);
@@ -142,9 +154,9 @@ public:
     for (std::uint32_t k = 0; k < on_line_.size(); ++k) rank_[on_line_[k]] = k;
   }
 
-  // The parts on one side, 1 for the front, -1 for the back.
-  constexpr std::vector<std::vector<V>> parts(int side) {
-    std::vector<std::vector<V>> out;
+  // The parts on one side, 1 for the front, -1 for the back, as numbers of entries.
+  constexpr std::vector<std::vector<std::uint32_t>> parts(int side) {
+    std::vector<std::vector<std::uint32_t>> out;
     find_chains(side);
     if (orientation_ == 0 || !pair_ends(side)) {  // the polygon crosses itself: one ring, parts joined along the line
       ring_ = {};
@@ -162,12 +174,10 @@ public:
     return out;
   }
 
+  constexpr std::vector<split_entry<T, D>> take_entries() noexcept { return std::move(entries_); }
+
 private:
-  struct entry {
-    V vertex;
-    int side;
-    std::uint32_t back, front;  // the edge that a cut lies on; a vertex, twice
-  };
+  using entry = split_entry<T, D>;
   struct chain {
     std::uint32_t first, last;  // entries on the line
     std::uint32_t next = 0;  // the chain that the stretch of line from `last` leads to
@@ -282,26 +292,73 @@ private:
   }
 
   // The ring, if it has an area.
-  constexpr void put_ring(std::vector<std::vector<V>>& out) const {
-    std::vector<V> ring;
+  constexpr void put_ring(std::vector<std::vector<std::uint32_t>>& out) const {
+    std::vector<std::uint32_t> ring;
+    std::vector<point<T, D>> positions;
+    ring.reserve(ring_.size());
+    positions.reserve(ring_.size());
     for (const std::uint32_t k : ring_) {
-      const V& v = entries_[k].vertex;
-      if (ring.empty() || !same_place(position_of(ring.back()), position_of(v))) ring.push_back(v);
+      const auto& at = entries_[k].at;
+      if (!ring.empty() && same_place(positions.back(), at)) continue;
+      ring.push_back(k);
+      positions.push_back(at);
     }
-    while (ring.size() > 1 && same_place(position_of(ring.back()), position_of(ring.front()))) ring.pop_back();
+    while (ring.size() > 1 && same_place(positions.back(), positions.front())) ring.pop_back(), positions.pop_back();
     if (ring.size() < 3) return;
-    const ring_of_positions<std::vector<V>, vertex_position<V>> positions{&ring};
     if constexpr (D == 2) {
-      if (shoelace_sign(positions) != 0) out.push_back(ring);
+      if (shoelace_sign(positions) != 0) out.push_back(std::move(ring));
     } else {
       for (int axis = 0; axis < 3; ++axis)
-        if (shoelace_sign(flat_ring<ring_of_positions<std::vector<V>, vertex_position<V>>>(positions, axis)) != 0) {
-          out.push_back(ring);
+        if (shoelace_sign(flat_ring<std::vector<point<T, D>>>(positions, axis)) != 0) {
+          out.push_back(std::move(ring));
           return;
         }
     }
   }
 };
+
+template <class T, int D>
+constexpr split_plan<T, D> make_split_plan(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
+                                           const half_space<T, D>& boundary) {
+  polygon_splitter<T, D> splitter(ring);
+  splitter.cut(ring, sides, boundary);
+  split_plan<T, D> plan{{}, splitter.parts(1), splitter.parts(-1)};
+  plan.entries = splitter.take_entries();
+  return plan;
+}
+
+// The parts of a ring with vertices on both sides.
+template <int D, VertexRing R, class F>
+constexpr void split_as_planned(split_parts<ring_vertex_type<R>>& parts, const R& ring, const std::vector<int>& sides,
+                                const half_space<vertex_scalar<ring_vertex_type<R>>, D>& boundary,
+                                const F& interpolate) {
+  using V = ring_vertex_type<R>;
+  using T = vertex_scalar<V>;
+  std::vector<point<T, D>> positions;
+  positions.reserve(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) positions.push_back(as_point<T>(position_of(ring[i])));
+  split_plan<T, D> plan;
+  if constexpr (Floating<T>)
+    plan = plan_of_split(positions, sides, boundary);
+  else
+    plan = make_split_plan(positions, sides, boundary);
+  std::vector<V> vertices;
+  vertices.reserve(plan.entries.size());
+  for (const auto& e : plan.entries)
+    if (e.back == e.front)
+      vertices.push_back(ring[e.back]);
+    else
+      vertices.push_back(
+          placed_at(V(interpolate(V(ring[e.front]), V(ring[e.back]), e.t)), own_point<vertex_position<V>>(e.at)));
+  const auto put = [&](std::vector<std::vector<V>>& out, const std::vector<std::vector<std::uint32_t>>& rings) {
+    for (const auto& numbers : rings) {
+      out.emplace_back().reserve(numbers.size());
+      for (const std::uint32_t k : numbers) out.back().push_back(vertices[k]);
+    }
+  };
+  put(parts.front, plan.front);
+  put(parts.back, plan.back);
+}
 
 template <int D, VertexRing R, class F>
 constexpr split_parts<ring_vertex_type<R>> split(const R& ring,
@@ -333,13 +390,9 @@ constexpr split_parts<ring_vertex_type<R>> split(const R& ring,
   if (parts.side == split_side::front) parts.front.push_back(whole());
   if (parts.side == split_side::back) parts.back.push_back(whole());
   if (parts.side != split_side::both) return parts;
-  polygon_splitter<V, D> splitter(ring);
-  splitter.cut(ring, sides, boundary, interpolate);
-  parts.front = splitter.parts(1);
-  parts.back = splitter.parts(-1);
+  split_as_planned<D>(parts, ring, sides, boundary, interpolate);
   return parts;
 }
-
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
@@ -367,3 +420,15 @@ template <VertexRing R, class F>
 }
 
 }  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int D>
+IRG_API split_plan<T, D> plan_of_split(const std::vector<point<T, D>>& ring, const std::vector<int>& sides,
+                                       const half_space<T, D>& boundary) {
+  return make_split_plan(ring, sides, boundary);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

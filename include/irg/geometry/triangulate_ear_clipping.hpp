@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/function_ref.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
@@ -57,7 +58,29 @@ template <PlaneRing R>
 }  // namespace IRG_ABI
 }  // namespace irg
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+// The triangles of the ring in memory.points, which does not turn one way all along.
+template <Floating T>
+IRG_API bool clip_ears(ear_clipping_memory<T>& memory, std::size_t tests_per_vertex,
+                       const function_ref<void(std::uint32_t, std::uint32_t, std::uint32_t)>& sink);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
 namespace irg::detail::inline IRG_ABI {
+
+// Whether all turns of a ring go one way: it is convex, or goes round more than once, and then any fan will do.
+template <Scalar T>
+constexpr bool turns_one_way(const std::vector<point<T, 2>>& ring) noexcept {
+  int side = 0;
+  for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
+    const std::size_t j = i + 1 < n ? i + 1 : 0, k = j + 1 < n ? j + 1 : 0;
+    const int t = orient2d(ring[i], ring[j], ring[k]);
+    if (t == 0 || t == -side) return false;
+    side = t;
+  }
+  return true;
+}
 
 // The triangles of one ring, by vertex numbers, one ear after another.
 template <Scalar T>
@@ -67,13 +90,10 @@ public:
       : m_(&memory), tests_left_(tests_per_vertex * memory.points.size()),
         size_(static_cast<std::uint32_t>(memory.points.size())) {}
 
-  // False, with nothing emitted, for a ring without area that turns both ways.
+  // False, with nothing emitted, for a ring without area.
+  // needs   a ring that turns both ways, or somewhere not at all
   template <class Sink>
   constexpr bool operator()(Sink& sink) {
-    if (turns_one_way()) {
-      for (std::uint32_t i = 2; i < size_; ++i) sink(0u, i - 1, i);
-      return true;
-    }
     direction_ = shoelace_sign(m_->points);
     if (direction_ != 0) clip(sink);
     return direction_ != 0;
@@ -91,18 +111,6 @@ private:
   constexpr const point<T, 2>& at(std::uint32_t i) const noexcept { return m_->points[i]; }
   constexpr int turn_at(std::uint32_t before, std::uint32_t tip, std::uint32_t after) const noexcept {
     return orient2d(at(before), at(tip), at(after));
-  }
-
-  // Whether all turns go one way: the ring is convex, or goes round more than once, and then any fan will do.
-  constexpr bool turns_one_way() const noexcept {
-    int side = 0;
-    for (std::uint32_t i = 0; i < size_; ++i) {
-      const std::uint32_t j = i + 1 < size_ ? i + 1 : 0, k = j + 1 < size_ ? j + 1 : 0;
-      const int t = turn_at(i, j, k);
-      if (t == 0 || t == -side) return false;
-      side = t;
-    }
-    return true;
   }
 
   constexpr void link() {
@@ -198,7 +206,15 @@ constexpr bool triangulate_ear_clipping(const R& ring, Sink&& sink, ear_clipping
     const auto p = ring_vertex(ring, i);
     memory.points.push_back({coordinate(p, 0), coordinate(p, 1)});
   }
-  return detail::ear_clipper<ring_scalar<R>>(memory, options.tests_per_vertex)(sink);
+  if (detail::turns_one_way(memory.points)) {
+    for (std::uint32_t i = 2; i < n; ++i) sink(0u, i - 1, i);
+    return true;
+  }
+  if constexpr (Floating<ring_scalar<R>>)
+    return detail::clip_ears(memory, options.tests_per_vertex,
+                             as_function<void(std::uint32_t, std::uint32_t, std::uint32_t)>(sink));
+  else
+    return detail::ear_clipper<ring_scalar<R>>(memory, options.tests_per_vertex)(sink);
 }
 
 template <PlaneRing R>
@@ -216,3 +232,15 @@ template <PlaneRing R>
 }
 
 }  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API bool clip_ears(ear_clipping_memory<T>& memory, std::size_t tests_per_vertex,
+                       const function_ref<void(std::uint32_t, std::uint32_t, std::uint32_t)>& sink) {
+  return ear_clipper<T>(memory, tests_per_vertex)(sink);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

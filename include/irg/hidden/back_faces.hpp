@@ -6,6 +6,7 @@
 // certainly invisible.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,6 +18,7 @@
 #include <irg/geometry/polygon_orientation.hpp>
 #include <irg/geometry/side_of_polygon.hpp>
 #include <irg/mesh/face_normal.hpp>
+#include <irg/mesh/mesh.hpp>
 
 namespace irg {
 
@@ -40,6 +42,15 @@ struct mesh_face_ring {
   }
 };
 
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API facing facing_in_mesh(const mesh<T>& m, std::size_t f, const hpoint<T, 3>& eye) noexcept;
+template <Floating T>
+IRG_API std::vector<std::uint32_t> front_faces_of_mesh(const mesh<T>& m, const hpoint<T, 3>& eye,
+                                                       edge_on_faces edge_on);
+
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 inline namespace IRG_ABI {
@@ -94,7 +105,10 @@ template <PlaneRing R>
 template <SpaceMesh M>
 [[nodiscard]] constexpr facing facing_of(const M& m, std::size_t f,
                                          const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
-  return static_cast<facing>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
+  if constexpr (std::same_as<M, mesh<scalar_of<mesh_point<M>>>>)
+    return detail::facing_in_mesh(m, f, eye);
+  else
+    return static_cast<facing>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
 }
 
 /// The faces of a mesh that are left when back faces are removed, in their order.
@@ -104,10 +118,14 @@ template <SpaceMesh M>
 [[nodiscard]] constexpr std::vector<std::uint32_t> front_faces(const M& m,
                                                                const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
                                                                edge_on_faces edge_on = edge_on_faces::hidden) {
-  std::vector<std::uint32_t> left;
-  for (std::size_t f = 0; f < mesh_face_count(m); ++f)
-    if (!is_hidden(facing_of(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
-  return left;
+  if constexpr (std::same_as<M, mesh<scalar_of<mesh_point<M>>>>) {
+    return detail::front_faces_of_mesh(m, eye, edge_on);
+  } else {
+    std::vector<std::uint32_t> left;
+    for (std::size_t f = 0; f < mesh_face_count(m); ++f)
+      if (!is_hidden(facing_of(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
+    return left;
+  }
 }
 
 IRG_RENAMED(side_by_plane, facing_by_plane)
@@ -117,3 +135,23 @@ IRG_RENAMED(side_of_face, facing_of)
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API facing facing_in_mesh(const mesh<T>& m, std::size_t f, const hpoint<T, 3>& eye) noexcept {
+  return static_cast<facing>(static_cast<int>(side_of_polygon(mesh_face_ring<mesh<T>>{&m, f}, eye)));
+}
+
+template <Floating T>
+IRG_API std::vector<std::uint32_t> front_faces_of_mesh(const mesh<T>& m, const hpoint<T, 3>& eye,
+                                                       edge_on_faces edge_on) {
+  std::vector<std::uint32_t> left;
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    if (!is_hidden(facing_in_mesh(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
+  return left;
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -15,12 +15,17 @@
 #include <utility>
 #include <vector>
 
-#include <irg/hidden/detail/crowded_window.hpp>
-#include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/face_fragment.hpp>
+#include <irg/raster/image.hpp>
 #include <irg/spatial/bsp_order.hpp>
+#if IRG_BODIES
+#include <irg/hidden/detail/crowded_window.hpp>
+#include <irg/hidden/detail/pixel_hull.hpp>
+#include <irg/hidden/order_in_window.hpp>
+#include <irg/raster/triangle_coverage.hpp>
+#endif
 
 namespace irg {
 
@@ -51,143 +56,99 @@ struct bsp_of_faces {
   bsp_of_faces& operator=(bsp_of_faces&&) = default;
 };
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
 
-// The pixels of a part of a face by the corners of their convex hull. A part is what planes leave of a triangle, so
-// that its pixels are all that lie in the hull; and where one plane is nearer than another is a half of the picture, so
-// that the corners tell of all pixels.
+template <DepthOrder Order>
+IRG_API bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_window& window);
+template <DepthOrder Order>
+IRG_API void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree);
+template <DepthOrder Order>
+IRG_API void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                            draw_counts& counts);
 
-/// The left and the right corners of some pixels, each from the highest row that has any to the lowest.
-struct pixel_hull {
-  std::vector<cell> left, right;
-  constexpr bool empty() const noexcept { return left.empty(); }
-};
+}  // namespace detail::inline IRG_COMPILED_ABI
 
-struct hull_halves {
-  pixel_hull nearer, farther;
-};
+inline namespace IRG_ABI {
 
-/// The pixels of a hull that are as deep as a plane, first, first + step, ... up to last, and where the others are.
-struct pixels_in_plane {
-  window_order others = window_order::crossing;
-  cell first, last, step;
-};
-
-// Twice the area of a triangle of pixels.
-constexpr std::int64_t turn_of(const cell& a, const cell& b, const cell& c) noexcept {
-  return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+/// The tree of the faces that a window of the picture may show.
+/// shape   faces: a container of screen_face
+/// gives   an empty tree where no face touches the window. A face is cut by the planes alone that some of its pixels
+///         lie before and some behind: none of a convex body, but where pixels on its outline belong to two faces
+///         equally near, or where rounding has bent its faces
+/// exact   sides by is_nearer at pixel centres
+/// cost    n log n where planes split little, and for convex bodies: 8 planes are tried for each node, up to 32 where
+///         all of them cut, and meet the parts that their bounds do not tell from them. Faces that go through each
+///         other make as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
+/// source  Fuchs, Kedem and Naylor 1980
+template <DepthOrder Order = nearer_is_greater, class Faces>
+[[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
+  std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+  return detail::tree_of_faces<Order>(list, window);
 }
 
-// Takes in a row below those that are there: the columns first to last.
-constexpr void add_row(pixel_hull& h, int y, int first, int last) {
-  const auto add = [](std::vector<cell>& chain, const cell& c, int bulge) {
-    while (chain.size() > 1 && turn_of(chain[chain.size() - 2], chain.back(), c) * bulge >= 0) chain.pop_back();
-    chain.push_back(c);
+/// Calls visit(node) for all nodes of a tree in the order of their depths.
+/// cost    linear, without recursion
+template <class Visit>
+constexpr void walk_bsp(const bsp_of_faces& tree, bsp_order order, Visit&& visit) {
+  struct step {
+    std::int32_t node;
+    bool opened;
   };
-  add(h.left, {first, y}, 1);
-  add(h.right, {last, y}, -1);
+  std::vector<step> left;
+  if (!tree.nodes.empty()) left.push_back({0, false});
+  while (!left.empty()) {
+    const step s = left.back();
+    left.pop_back();
+    const bsp_of_faces::node& n = tree.nodes[static_cast<std::size_t>(s.node)];
+    if (s.opened) {
+      visit(n);
+      continue;
+    }
+    const bool back = order == bsp_order::back_to_front;
+    const std::int32_t first = back ? n.farther : n.nearer, last = back ? n.nearer : n.farther;
+    if (last >= 0) left.push_back({last, false});
+    left.push_back({s.node, true});
+    if (first >= 0) left.push_back({first, false});
+  }
 }
 
-constexpr pixel_hull hull_of_face(const screen_face& f, const cell_window& w) {
-  pixel_hull h;
-  covered_spans(f.coverage, w, [&](const span_of_cells& s) {
-    if (s.x_first < s.x_last) add_row(h, s.y, s.x_first, s.x_last - 1);
-  });
-  return h;
+/// Draws the faces of a tree from back to front: into each pixel that one of them covers the number of the nearest.
+/// needs   a tree built in the same order, for a window that the ids hold
+template <DepthOrder Order = nearer_is_greater>
+constexpr void draw_bsp(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
+  static_assert(detail::has_methods<Order>,
+                "irg: define IRG_HEADER_ONLY before the first header of irg to draw faces in an order of your own");
+  detail::draw_tree<Order>(ids, tree);
+}
+template <DepthOrder Order = nearer_is_greater>
+[[deprecated("irg: draw_bsp(ids, tree)")]] constexpr void draw_bsp(const bsp_of_faces& tree,
+                                                                   image<std::uint32_t>& ids) {
+  draw_bsp<Order>(ids, tree);
 }
 
-constexpr cell_window window_of(const pixel_hull& h) noexcept {
-  cell_window w{h.left[0].x, h.left[0].y, h.right[0].x + 1, h.left.back().y + 1};
-  for (const cell& c : h.left) w.x_first = minimum(w.x_first, c.x);
-  for (const cell& c : h.right) w.x_last = maximum(w.x_last, c.x + 1);
-  return w;
-}
+}  // namespace IRG_ABI
 
-// One of the two chains, row by row.
-struct hull_side {
-  const std::vector<cell>& chain;
-  std::size_t next = 0;
-
-  // The column where the chain meets a row, rounded down, or up; rows are asked for in order.
-  constexpr int at(int y, bool up) noexcept {
-    while (next + 1 < chain.size() && chain[next].y < y) ++next;
-    const cell &b = chain[next], &a = chain[next == 0 ? 0 : next - 1];
-    if (b.y == y || a.y == b.y) return b.x;
-    const std::int64_t rows = std::int64_t{b.y} - a.y, way = (std::int64_t{b.x} - a.x) * (std::int64_t{y} - a.y);
-    const std::int64_t down = way >= 0 ? way / rows : -((rows - 1 - way) / rows);
-    return static_cast<int>(a.x + down + (up && down * rows != way ? 1 : 0));
+/// A hidden-surface method: the faces as binary space partitions, drawn from back to front. A crowded window is cut
+/// into four, since faces that cross each other make trees that grow with the square of their number.
+/// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are;
+///         counts.tested counts the parts drawn
+/// exact   as picture_face_at, in every pixel
+/// cost    build_bsp, and each pixel as often as it is covered; memory for the tree, none for depths
+/// source  Fuchs, Kedem and Naylor 1980
+template <DepthOrder Order = nearer_is_greater>
+struct bsp_painter : exact_method {
+  template <class Faces>
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
+    std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+    detail::paint_by_trees<Order>(ids, list, window, counts);
   }
 };
 
-// Calls use(y, first, last) for the rows of a hull that have pixels.
-template <class Use>
-constexpr void each_row(const pixel_hull& h, const Use& use) {
-  hull_side left{h.left}, right{h.right};
-  for (int y = h.left.front().y; y <= h.left.back().y; ++y)
-    if (const int first = left.at(y, true), last = right.at(y, false); first <= last) use(y, first, last);
-}
+}  // namespace irg
 
-/// Whether a face is_nearer than the plane of another one at all pixels of a hull, at none, or at some. Of no pixels:
-/// at none.
-template <DepthOrder Order>
-constexpr window_order order_of_pixels(const pixel_hull& h, const screen_face& f, const screen_face& plane) noexcept {
-  if (h.empty()) return window_order::farther;
-  const auto is_near = [&](const cell& c) { return is_nearer<Order>(f, plane, c.x, c.y); };
-  const bool first = is_near(h.left[0]);
-  for (const std::vector<cell>* chain : {&h.left, &h.right})
-    for (const cell& c : *chain)
-      if (is_near(c) != first) return window_order::crossing;
-  return first ? window_order::nearer : window_order::farther;
-}
-
-/// The pixels at which a face is_nearer than the plane of another one, and the others.
-template <DepthOrder Order>
-constexpr hull_halves split_hull(const pixel_hull& h, const screen_face& f, const screen_face& plane) {
-  hull_halves halves;
-  each_row(h, [&](int y, int first, int last) {
-    const auto is_near = [&](int x) { return is_nearer<Order>(f, plane, x, y); };
-    const bool left = is_near(first);
-    if (left == is_near(last)) return add_row(left ? halves.nearer : halves.farther, y, first, last);
-    int same = first, other = last;  // the last column that is as the first one, the first that is not
-    while (other - same > 1) {
-      const int middle = same + (other - same) / 2;
-      (is_near(middle) == left ? same : other) = middle;
-    }
-    add_row(left ? halves.nearer : halves.farther, y, first, same);
-    add_row(left ? halves.farther : halves.nearer, y, other, last);
-  });
-  return halves;
-}
-
-/// Those pixels of a hull that are exactly as deep as a plane, where all others lie on one side of it: they are on one
-/// side of the hull, or a corner.
-/// gives   others = crossing where there are such on both sides, or no others
-template <DepthOrder Order>
-constexpr pixels_in_plane find_pixels_in_plane(const pixel_hull& h, const screen_face& f, const screen_face& plane) {
-  pixels_in_plane found{window_order::crossing, {}, {}, {}};
-  bool nearer = false, farther = false, any = false;
-  for (const std::vector<cell>* chain : {&h.left, &h.right})
-    for (const cell& c : *chain) {
-      const int side = compare_depths<Order>(f, plane, c.x, c.y);
-      nearer = nearer || side > 0;
-      farther = farther || side < 0;
-      if (side != 0) continue;
-      if (!any) found.first = found.last = c;
-      if (found.first != c) found.last = c;
-      any = true;
-    }
-  if (nearer == farther || !any) return found;
-  found.others = nearer ? window_order::nearer : window_order::farther;
-  const int dx = found.last.x - found.first.x, dy = found.last.y - found.first.y;
-  int a = dx < 0 ? -dx : dx, b = dy < 0 ? -dy : dy;
-  while (b != 0) {
-    const int rest = a % b;
-    a = b;
-    b = rest;
-  }
-  if (a != 0) found.step = {dx / a, dy / a};
-  return found;
-}
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 /// A corner of a face among pixels and stretched depths, whose places are the centres of pixels.
 constexpr point<double, 3> stretched(const screen_vertex& v, double stretch) noexcept {
@@ -440,83 +401,6 @@ constexpr void hang_unseen(bsp_face_state<Order>& s) {
         maximum(s.tree.counts.depth, depth + static_cast<std::int64_t>(std::bit_width(s.unseen.size())) - 1);
 }
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
-/// The tree of the faces that a window of the picture may show.
-/// shape   faces: a container of screen_face
-/// gives   an empty tree where no face touches the window. A face is cut by the planes alone that some of its pixels
-///         lie before and some behind: none of a convex body, but where pixels on its outline belong to two faces
-///         equally near, or where rounding has bent its faces
-/// exact   sides by is_nearer at pixel centres
-/// cost    n log n where planes split little, and for convex bodies: 8 planes are tried for each node, up to 32 where
-///         all of them cut, and meet the parts that their bounds do not tell from them. Faces that go through each
-///         other make as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
-/// source  Fuchs, Kedem and Naylor 1980
-template <DepthOrder Order = nearer_is_greater, class Faces>
-[[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
-  bsp_of_faces tree;
-  tree.faces = detail::copied_faces<Order>(faces, window);
-  tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
-  detail::bsp_face_state<Order> s{tree, detail::stretch_of(tree.faces, window)};
-  for (detail::open_root(s, window); !s.left.empty();) {
-    const detail::bsp_task task = s.left.back();
-    s.left.pop_back();
-    detail::part_by_plane(s, task);
-  }
-  detail::hang_unseen(s);
-  tree.counts.pieces = static_cast<std::int64_t>(tree.nodes.size());
-  return tree;
-}
-
-/// Calls visit(node) for all nodes of a tree in the order of their depths.
-/// cost    linear, without recursion
-template <class Visit>
-constexpr void walk_bsp(const bsp_of_faces& tree, bsp_order order, Visit&& visit) {
-  struct step {
-    std::int32_t node;
-    bool opened;
-  };
-  std::vector<step> left;
-  if (!tree.nodes.empty()) left.push_back({0, false});
-  while (!left.empty()) {
-    const step s = left.back();
-    left.pop_back();
-    const bsp_of_faces::node& n = tree.nodes[static_cast<std::size_t>(s.node)];
-    if (s.opened) {
-      visit(n);
-      continue;
-    }
-    const bool back = order == bsp_order::back_to_front;
-    const std::int32_t first = back ? n.farther : n.nearer, last = back ? n.nearer : n.farther;
-    if (last >= 0) left.push_back({last, false});
-    left.push_back({s.node, true});
-    if (first >= 0) left.push_back({first, false});
-  }
-}
-
-/// Draws the faces of a tree from back to front: into each pixel that one of them covers the number of the nearest.
-/// needs   a tree built in the same order, for a window that the ids hold
-template <DepthOrder Order = nearer_is_greater>
-constexpr void draw_bsp(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
-  walk_bsp(tree, bsp_order::back_to_front, [&](const bsp_of_faces::node& n) {
-    covered_spans(n.part.face->coverage, n.box, [&](const span_of_cells& s) {
-      for (int x = s.x_first; x < s.x_last; ++x)
-        if (n.part.limits.empty() || covers<Order>(n.part, x, s.y)) ids(x, s.y) = n.part.face->number;
-    });
-  });
-}
-template <DepthOrder Order = nearer_is_greater>
-[[deprecated("irg: draw_bsp(ids, tree)")]] constexpr void draw_bsp(const bsp_of_faces& tree,
-                                                                   image<std::uint32_t>& ids) {
-  draw_bsp<Order>(ids, tree);
-}
-
-}  // namespace IRG_ABI
-
-namespace detail::inline IRG_ABI {
-
 // Faces by their places.
 struct pointed_faces {
   const std::vector<window_face>& list;
@@ -543,26 +427,46 @@ constexpr void draw_by_trees(const std::vector<window_face>& list, const cell_wi
   }
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-/// A hidden-surface method: the faces as binary space partitions, drawn from back to front. A crowded window is cut
-/// into four, since faces that cross each other make trees that grow with the square of their number.
-/// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are;
-///         counts.tested counts the parts drawn
-/// exact   as picture_face_at, in every pixel
-/// cost    build_bsp, and each pixel as often as it is covered; memory for the tree, none for depths
-/// source  Fuchs, Kedem and Naylor 1980
-template <DepthOrder Order = nearer_is_greater>
-struct bsp_painter : exact_method {
-  template <class Faces>
-  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                                      draw_counts& counts) const {
-    const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-    std::vector<detail::window_face> all;
-    all.reserve(list.size());
-    for (const screen_face& f : list) all.push_back(detail::window_face_of<Order>(f));
-    detail::draw_by_trees<Order>(all, window, ids, counts);
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <DepthOrder Order>
+IRG_API bsp_of_faces tree_of_faces(std::vector<screen_face>& list, const cell_window& window) {
+  leave_out_repeated<Order>(list);
+  bsp_of_faces tree;
+  tree.faces = std::move(list);
+  tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
+  bsp_face_state<Order> s{tree, stretch_of(tree.faces, window)};
+  for (open_root(s, window); !s.left.empty();) {
+    const bsp_task task = s.left.back();
+    s.left.pop_back();
+    part_by_plane(s, task);
   }
-};
+  hang_unseen(s);
+  tree.counts.pieces = static_cast<std::int64_t>(tree.nodes.size());
+  return tree;
+}
 
-}  // namespace irg
+template <DepthOrder Order>
+IRG_API void draw_tree(image<std::uint32_t>& ids, const bsp_of_faces& tree) {
+  walk_bsp(tree, bsp_order::back_to_front, [&](const bsp_of_faces::node& n) {
+    covered_spans(n.part.face->coverage, n.box, [&](const span_of_cells& s) {
+      for (int x = s.x_first; x < s.x_last; ++x)
+        if (n.part.limits.empty() || covers<Order>(n.part, x, s.y)) ids(x, s.y) = n.part.face->number;
+    });
+  });
+}
+
+template <DepthOrder Order>
+IRG_API void paint_by_trees(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                            draw_counts& counts) {
+  leave_out_repeated<Order>(list);
+  std::vector<window_face> all;
+  all.reserve(list.size());
+  for (const screen_face& f : list) all.push_back(window_face_of<Order>(f));
+  draw_by_trees<Order>(all, window, ids, counts);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

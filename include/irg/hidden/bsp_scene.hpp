@@ -13,14 +13,19 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/math/exact_matrix.hpp>
-#include <irg/math/length.hpp>
+#include <irg/hidden/detail/with_items.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/screen_face.hpp>
 #include <irg/raster/screen_mapping.hpp>
 #include <irg/spatial/bsp_tree_3d.hpp>
+#if IRG_BODIES
+#include <irg/core/contract.hpp>
+#include <irg/core/conversion.hpp>
+#include <irg/math/exact_matrix.hpp>
+#include <irg/math/length.hpp>
+#endif
 
 namespace irg {
 namespace detail {
@@ -35,6 +40,30 @@ struct plane_on_screen {
   }
 };
 
+struct placed_piece {
+  std::uint32_t rank, limits;
+};
+
+// The pieces of a tree in their order from back to front, and the planes that limit them.
+struct pieces_on_screen {
+  std::vector<std::uint32_t> starts{};  // of each triangle's pieces
+  std::vector<placed_piece> placed{};
+  std::vector<plane_on_screen> of_node{}, of_triangle{};
+};
+
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const point<T, 3>& eye, const mat<T, 4, 4>& to_clip,
+                                      const screen_mapping<T>& mapping);
+template <Floating T>
+IRG_API pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const vec<T, 3>& to_eye, const mat<T, 4, 4>& to_clip,
+                                      const screen_mapping<T>& mapping);
+template <Floating T, class Faces>
+IRG_API void paint_pieces(const bsp_data_3d<T>& d, const pieces_on_screen& p, const Faces& faces,
+                          const cell_window& window, image<std::uint32_t>& ids, draw_counts& counts);
+
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 /// A hidden-surface method for one eye: the pieces of a tree in their order from back to front.
@@ -46,10 +75,7 @@ public:
   template <class Eye>
   IRG_APART constexpr bsp_scene_painter(const bsp_tree_3d<T>& tree, const Eye& eye, const mat<T, 4, 4>& to_clip,
                                         const screen_mapping<T>& mapping)
-      : tree_(tree) {
-    order_pieces(eye);
-    put_planes_on_screen(to_clip, mapping);
-  }
+      : data_(tree.data()), pieces_(detail::place_pieces<T>(tree, eye, to_clip, mapping)) {}
 
   /// Writes into the ids of a window the numbers of the faces that are seen; counts.tested counts the parts painted.
   /// shape   faces: a container of screen_face, of a scene projected by to_clip and mapping, clipped ones in pieces
@@ -61,75 +87,19 @@ public:
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
-    std::vector<part> parts;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const std::uint32_t n = faces[i].number;
-      IRG_EXPECTS(n + 1 < starts_.size());
-      for (std::uint32_t k = starts_[n]; k < starts_[n + 1]; ++k)
-        parts.push_back({placed_[k].rank, placed_[k].limits, static_cast<std::uint32_t>(i)});
-    }
-    std::sort(parts.begin(), parts.end(),
-              [](const part& a, const part& b) { return a.rank != b.rank ? a.rank < b.rank : a.face < b.face; });
-    for (const part& p : parts) paint(p.limits, faces[p.face], window, ids);
-    counts.tested += static_cast<std::int64_t>(parts.size());
+    detail::with_items<screen_face>(
+        faces, [&](const auto& of_faces) { detail::paint_pieces(data_, pieces_, of_faces, window, ids, counts); });
   }
 
 private:
-  struct placed_piece {
-    std::uint32_t rank, limits;
-  };
-  struct part {
-    std::uint32_t rank, limits, face;
-  };
-
-  template <class Eye>
-  IRG_APART constexpr void order_pieces(const Eye& eye) {
-    const bsp_data_3d<T>& d = tree_.data();
-    starts_.assign(d.triangles.size() + 1, 0u);
-    for (const bsp_piece_3d& p : d.pieces) ++starts_[p.triangle + 1];
-    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    placed_.assign(d.pieces.size(), placed_piece{});
-    std::vector<std::uint32_t> next = starts_;
-    std::uint32_t rank = 0;
-    tree_.visit(eye, bsp_order::back_to_front,
-                [&](const bsp_piece_3d& p) { placed_[next[p.triangle]++] = {rank++, p.limits}; });
-  }
-
-  IRG_APART constexpr void put_planes_on_screen(const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping);
-
-  IRG_APART constexpr void paint(std::uint32_t limits, const screen_face& f, const cell_window& window,
-                                 image<std::uint32_t>& ids) const {
-    const bsp_data_3d<T>& d = tree_.data();
-    covered_spans(f.coverage, window, [&](const span_of_cells& s) {
-      const double y = s.y + 0.5;
-      for (int i = s.x_first; i < s.x_last; ++i) {
-        bool within = true;
-        if (limits != no_index) {
-          const double x = i + 0.5, z = depth_of(f, x, y);
-          for (std::uint32_t l = limits; within && l != no_index; l = d.limits[l].next) {
-            const detail::plane_on_screen& p = of_node_[d.limits[l].node];
-            within = (p.at(x, y) + product(p.depth, z) > 0) == (d.limits[l].side > 0);
-          }
-        }
-        if (within) ids(i, s.y) = f.number;
-      }
-    });
-  }
-  // Where the ray through a pixel meets the plane of a face, no farther than its corners: it may pass beside them by as
-  // much as they were snapped.
-  [[nodiscard]] IRG_APART constexpr double depth_of(const screen_face& f, double x, double y) const noexcept {
-    const detail::plane_on_screen& p = of_triangle_[f.number];
-    const double z = -p.at(x, y) / p.depth, low = widened(f.depth_low), high = widened(f.depth_high);
-    return !(low < z) ? low : high < z ? high : z;
-  }
-
-  const bsp_tree_3d<T>& tree_;
-  std::vector<std::uint32_t> starts_{};
-  std::vector<placed_piece> placed_{};
-  std::vector<detail::plane_on_screen> of_node_{}, of_triangle_{};
+  const bsp_data_3d<T>& data_;
+  detail::pieces_on_screen pieces_;
 };
 
-namespace detail::inline IRG_ABI {
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // From a point of the plane and two directions in it, u x v pointing to its front.
 template <class T>
@@ -162,20 +132,31 @@ constexpr plane_on_screen to_plane_on_screen(const double (&a)[3], const double 
           k[3] - product(right, widened(mapping.centre_x)) - product(down, widened(mapping.centre_y))};
 }
 
-}  // namespace detail::inline IRG_ABI
+// eye   a point, or the direction to one that is infinitely far away
+template <class T, class Eye>
+constexpr void order_pieces(const bsp_tree_3d<T>& tree, const Eye& eye, pieces_on_screen& p) {
+  const bsp_data_3d<T>& d = tree.data();
+  p.starts.assign(d.triangles.size() + 1, 0u);
+  for (const bsp_piece_3d& piece : d.pieces) ++p.starts[piece.triangle + 1];
+  for (std::size_t i = 1; i < p.starts.size(); ++i) p.starts[i] += p.starts[i - 1];
+  p.placed.assign(d.pieces.size(), placed_piece{});
+  std::vector<std::uint32_t> next = p.starts;
+  std::uint32_t rank = 0;
+  tree.visit(eye, bsp_order::back_to_front,
+             [&](const bsp_piece_3d& piece) { p.placed[next[piece.triangle]++] = {rank++, piece.limits}; });
+}
 
-template <Floating T>
-IRG_APART constexpr void bsp_scene_painter<T>::put_planes_on_screen(const mat<T, 4, 4>& to_clip,
-                                                                    const screen_mapping<T>& mapping) {
-  const bsp_data_3d<T>& d = tree_.data();
+template <class T>
+constexpr void put_planes_on_screen(const bsp_data_3d<T>& d, const mat<T, 4, 4>& to_clip,
+                                    const screen_mapping<T>& mapping, pieces_on_screen& on) {
   mat<double, 4, 4> m;
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 4; ++k) m(i, k) = widened(to_clip(i, k));
   // (p, 1), (a, 1), (u, 0) and (v, 0) have the determinant (u x v) . (p - a), and to_clip multiplies it by its own.
   const bool turned = determinant_sign(m) < 0;
   const auto put = [&](const double(&a)[3], const double(&u)[3], const double(&v)[3]) {
-    const detail::plane_on_screen p = detail::to_plane_on_screen(a, u, v, m, mapping);
-    return turned ? detail::plane_on_screen{-p.right, -p.down, -p.depth, -p.rest} : p;
+    const plane_on_screen p = to_plane_on_screen(a, u, v, m, mapping);
+    return turned ? plane_on_screen{-p.right, -p.down, -p.depth, -p.rest} : p;
   };
   const auto put_triangle = [&](std::uint32_t triangle) {
     double a[3], u[3], v[3];
@@ -194,14 +175,93 @@ IRG_APART constexpr void bsp_scene_painter<T>::put_planes_on_screen(const mat<T,
     v[(plane.axis + 2) % 3] = 1;
     return put(a, u, v);
   };
-  of_node_.assign(d.nodes.size(), {});
-  of_triangle_.assign(d.triangles.size(), {});
+  on.of_node.assign(d.nodes.size(), {});
+  on.of_triangle.assign(d.triangles.size(), {});
   for (const bsp_limit_3d& l : d.limits)
-    if (detail::plane_on_screen& p = of_node_[l.node]; p.right == 0 && p.down == 0 && p.depth == 0 && p.rest == 0)
+    if (plane_on_screen& p = on.of_node[l.node]; p.right == 0 && p.down == 0 && p.depth == 0 && p.rest == 0)
       p = d.nodes[l.node].plane.axis == bsp_plane_3d::of_triangle ? put_triangle(d.nodes[l.node].plane.source)
                                                                   : put_axis(d.nodes[l.node].plane);
   for (const bsp_piece_3d& p : d.pieces)
-    if (p.limits != no_index) of_triangle_[p.triangle] = put_triangle(p.triangle);
+    if (p.limits != no_index) on.of_triangle[p.triangle] = put_triangle(p.triangle);
 }
 
-}  // namespace irg
+template <class T, class Eye>
+constexpr pieces_on_screen pieces_seen_from(const bsp_tree_3d<T>& tree, const Eye& eye, const mat<T, 4, 4>& to_clip,
+                                            const screen_mapping<T>& mapping) {
+  pieces_on_screen p;
+  order_pieces(tree, eye, p);
+  put_planes_on_screen(tree.data(), to_clip, mapping, p);
+  return p;
+}
+
+// Where the ray through a pixel meets the plane of a face, no farther than its corners: it may pass beside them by as
+// much as they were snapped.
+constexpr double depth_on_plane(const plane_on_screen& p, const screen_face& f, double x, double y) noexcept {
+  const double z = -p.at(x, y) / p.depth, low = widened(f.depth_low), high = widened(f.depth_high);
+  return !(low < z) ? low : high < z ? high : z;
+}
+
+// Draws a piece: its face, within its limits.
+template <class T>
+struct piece_painter {
+  const bsp_data_3d<T>& d;
+  const pieces_on_screen& on;
+  const cell_window& window;
+  image<std::uint32_t>& ids;
+
+  constexpr void operator()(std::uint32_t limits, const screen_face& f) const {
+    covered_spans(f.coverage, window, [&](const span_of_cells& s) {
+      const double y = s.y + 0.5;
+      for (int i = s.x_first; i < s.x_last; ++i) {
+        bool within = true;
+        if (limits != no_index) {
+          const double x = i + 0.5, z = depth_on_plane(on.of_triangle[f.number], f, x, y);
+          for (std::uint32_t l = limits; within && l != no_index; l = d.limits[l].next) {
+            const plane_on_screen& p = on.of_node[d.limits[l].node];
+            within = (p.at(x, y) + product(p.depth, z) > 0) == (d.limits[l].side > 0);
+          }
+        }
+        if (within) ids(i, s.y) = f.number;
+      }
+    });
+  }
+};
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const point<T, 3>& eye, const mat<T, 4, 4>& to_clip,
+                                      const screen_mapping<T>& mapping) {
+  return pieces_seen_from(tree, eye, to_clip, mapping);
+}
+
+template <Floating T>
+IRG_API pieces_on_screen place_pieces(const bsp_tree_3d<T>& tree, const vec<T, 3>& to_eye, const mat<T, 4, 4>& to_clip,
+                                      const screen_mapping<T>& mapping) {
+  return pieces_seen_from(tree, to_eye, to_clip, mapping);
+}
+
+template <Floating T, class Faces>
+IRG_API void paint_pieces(const bsp_data_3d<T>& d, const pieces_on_screen& p, const Faces& faces,
+                          const cell_window& window, image<std::uint32_t>& ids, draw_counts& counts) {
+  struct part {
+    std::uint32_t rank, limits, face;
+  };
+  std::vector<part> parts;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const std::uint32_t n = faces[i].number;
+    IRG_EXPECTS(n + 1 < p.starts.size());
+    for (std::uint32_t k = p.starts[n]; k < p.starts[n + 1]; ++k)
+      parts.push_back({p.placed[k].rank, p.placed[k].limits, static_cast<std::uint32_t>(i)});
+  }
+  std::sort(parts.begin(), parts.end(),
+            [](const part& a, const part& b) { return a.rank != b.rank ? a.rank < b.rank : a.face < b.face; });
+  const piece_painter<T> paint{d, p, window, ids};
+  for (const part& one : parts) paint(one.limits, faces[one.face]);
+  counts.tested += static_cast<std::int64_t>(parts.size());
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -11,13 +11,17 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
-#include <irg/math/mat.hpp>
+#include <irg/core/function_ref.hpp>
+#include <irg/math/vec.hpp>
 #include <irg/mesh/mesh.hpp>
-#include <irg/mesh/triangulate.hpp>
 #include <irg/raster/screen_face.hpp>
+#if IRG_BODIES
+#include <irg/math/mat.hpp>
+#include <irg/mesh/triangulate.hpp>
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/screen_mapping.hpp>
 #include <irg/raster/screen_pieces.hpp>
+#endif
 
 namespace irg {
 
@@ -38,38 +42,16 @@ struct cube_side {
 inline constexpr cube_side cube_sides[6] = {{1, -1, 2, 0, 1},  {1, 1, 2, 0, -1}, {0, 1, 2, 1, 1},
                                             {0, -1, 2, 1, -1}, {0, -1, 1, 2, 1}, {0, 1, 1, 2, -1}};
 
-// The faces of triangles, with the numbers of the faces they were cut from, as the window of a side shows them.
-template <Floating T>
-constexpr std::vector<screen_face> faces_of_side(const mesh<T>& around, std::span<const std::uint32_t> numbers,
-                                                 const cube_side& side, const cube_options<T>& options) {
-  mat<T, 4, 4> to_clip{};
-  to_clip(0, side.right) = static_cast<T>(side.right_sign);
-  to_clip(1, side.up) = T(1);
-  to_clip(2, 3) = options.near_distance;
-  to_clip(3, side.forward) = static_cast<T>(side.forward_sign);
-  const screen_mapping<T> mapping = map_to_screen<T>({options.size, options.size});
-  const auto vertices = project_vertices<T>(std::span<const point<T, 3>>(around.positions), to_clip, mapping);
-  std::vector<screen_face> out;
-  for (std::size_t t = 0; t < around.face_count(); ++t) {
-    hpoint<T, 3> corner[3];
-    std::uint32_t v[3]{};
-    std::uint8_t cut = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      v[k] = around.corner(t, k).position;
-      corner[k] = clip_position(vertices, v[k]);
-      cut |= vertices.codes[v[k]].cut;
-    }
-    if (cut == 0) {
-      out.push_back(make_screen_face(vertices.screen[v[0]], vertices.screen[v[1]], vertices.screen[v[2]], numbers[t]));
-      continue;
-    }
-    const screen_pieces pieces = clip_to_screen(corner, mapping, numbers[t]);
-    for (const screen_piece& p : pieces) out.push_back(p.face);
-  }
-  return out;
-}
-
 }  // namespace detail::inline IRG_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API void send_sides(const point<T, 3>& eye, const mesh<T>& m,
+                        const function_ref<void(std::size_t, const std::vector<screen_face>&)>& sink,
+                        const cube_options<T>& options);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -86,14 +68,7 @@ template <Floating T, class Sink>
   requires std::invocable<Sink&, std::size_t, const std::vector<screen_face>&>
 constexpr void faces_around(const point<T, 3>& eye, const mesh<T>& m, Sink&& sink,
                             const cube_options<T>& options = {}) {
-  IRG_EXPECTS(1 <= options.size && options.size <= 4096 && T(0) < options.near_distance);
-  mesh<T> triangles = triangulated(m);
-  for (point<T, 3>& p : triangles.positions) p = {p.x - eye.x, p.y - eye.y, p.z - eye.z};
-  std::vector<std::uint32_t> numbers;
-  for (std::size_t f = 0; f < m.face_count(); ++f)
-    numbers.resize(numbers.size() + m.face_size(f) - 2, static_cast<std::uint32_t>(f));
-  for (std::size_t i = 0; i < 6; ++i)
-    sink(i, detail::faces_of_side<T>(triangles, numbers, detail::cube_sides[i], options));
+  detail::send_sides(eye, m, as_function<void(std::size_t, const std::vector<screen_face>&)>(sink), options);
 }
 template <Floating T, class Sink>
   requires std::invocable<Sink&, std::size_t, const std::vector<screen_face>&>
@@ -132,3 +107,59 @@ template <Floating T, class Sink>
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// The faces of triangles, with the numbers of the faces they were cut from, as the window of a side shows them.
+template <Floating T>
+constexpr std::vector<screen_face> faces_of_side(const mesh<T>& around, std::span<const std::uint32_t> numbers,
+                                                 const cube_side& side, const cube_options<T>& options) {
+  mat<T, 4, 4> to_clip{};
+  to_clip(0, side.right) = static_cast<T>(side.right_sign);
+  to_clip(1, side.up) = T(1);
+  to_clip(2, 3) = options.near_distance;
+  to_clip(3, side.forward) = static_cast<T>(side.forward_sign);
+  const screen_mapping<T> mapping = map_to_screen<T>({options.size, options.size});
+  const auto vertices = project_vertices<T>(std::span<const point<T, 3>>(around.positions), to_clip, mapping);
+  std::vector<screen_face> out;
+  for (std::size_t t = 0; t < around.face_count(); ++t) {
+    hpoint<T, 3> corner[3];
+    std::uint32_t v[3]{};
+    std::uint8_t cut = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] = around.corner(t, k).position;
+      corner[k] = clip_position(vertices, v[k]);
+      cut |= vertices.codes[v[k]].cut;
+    }
+    if (cut == 0) {
+      out.push_back(make_screen_face(vertices.screen[v[0]], vertices.screen[v[1]], vertices.screen[v[2]], numbers[t]));
+      continue;
+    }
+    const screen_pieces pieces = clip_to_screen(corner, mapping, numbers[t]);
+    for (const screen_piece& p : pieces) out.push_back(p.face);
+  }
+  return out;
+}
+
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API void send_sides(const point<T, 3>& eye, const mesh<T>& m,
+                        const function_ref<void(std::size_t, const std::vector<screen_face>&)>& sink,
+                        const cube_options<T>& options) {
+  IRG_EXPECTS(1 <= options.size && options.size <= 4096 && T(0) < options.near_distance);
+  mesh<T> triangles = triangulated(m);
+  for (point<T, 3>& p : triangles.positions) p = {p.x - eye.x, p.y - eye.y, p.z - eye.z};
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    numbers.resize(numbers.size() + m.face_size(f) - 2, static_cast<std::uint32_t>(f));
+  for (std::size_t i = 0; i < 6; ++i) sink(i, faces_of_side<T>(triangles, numbers, cube_sides[i], options));
+}
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg::detail
+#endif

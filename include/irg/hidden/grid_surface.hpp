@@ -12,10 +12,14 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/core/is_finite.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/core/vocabulary.hpp>
-#include <irg/hidden/detail/grid_sight.hpp>
 #include <irg/hidden/grid_covering_order.hpp>
+#include <irg/math/vec.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
+#include <irg/hidden/detail/grid_sight.hpp>
+#endif
 
 namespace irg {
 
@@ -67,8 +71,29 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
                                                                                Emit&& sink);
 
 }  // namespace IRG_ABI
+}  // namespace irg
 
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Counts>
+IRG_API checked<Counts, grid_surface_status> send_grid_edges(const grid_surface& surface, const point<double, 3>& eye,
+                                                             const function_ref<void(grid_edge_part)>& sink);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <class Emit>
+constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(const grid_surface& surface,
+                                                                               const point<double, 3>& eye,
+                                                                               Emit&& sink) {
+  return detail::send_grid_edges<grid_surface_counts>(surface, eye, as_function<void(grid_edge_part)>(sink));
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // The edges of a grid surface that lie in line with the eye, those of the grid's lines below it. Each such line is seen
 // in one upright plane, in two directions from the eye, and hides nothing but itself: the other edges that meet the
@@ -183,32 +208,31 @@ constexpr int surface_over_eye(const Sight& s, const grid_covering& c) noexcept 
                                                          s.eye.y, h(i - 1, j - 1), h(i, j - 1), h(i - 1, j), h(i, j)});
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <class Emit>
-constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(const grid_surface& surface,
-                                                                               const point<double, 3>& eye,
-                                                                               Emit&& sink) {
-  grid_surface_counts counts;
-  if (!detail::is_grid(surface) || !is_finite(eye)) return {counts, grid_surface_status::not_a_grid};
-  const detail::grid_sight<double> sight{surface.x, surface.z, surface.heights, eye};
+template <class Counts>
+IRG_API checked<Counts, grid_surface_status> send_grid_edges(const grid_surface& surface, const point<double, 3>& eye,
+                                                             const function_ref<void(grid_edge_part)>& sink) {
+  Counts counts;
+  if (!is_grid(surface) || !is_finite(eye)) return {counts, grid_surface_status::not_a_grid};
+  const grid_sight<double> sight{surface.x, surface.z, surface.heights, eye};
   const grid_covering loops = covering_loops(sight.x, sight.z, eye.x, eye.z);
   counts.view = grid_view_from(sight.x, sight.z, eye.x, eye.y, eye.z);
   const bool over = counts.view == grid_view::front;
-  const int surface_is = over ? detail::surface_over_eye(sight, loops) : 0;
+  const int surface_is = over ? surface_over_eye(sight, loops) : 0;
   if (over && surface_is == 0) return {counts, grid_surface_status::eye_on_surface};
   const bool outer_hides = surface_is <= 0, inner_hides = surface_is >= 0;
 
-  detail::grid_perimeter outer(sight, detail::perimeter_side::outer), inner(sight, detail::perimeter_side::inner);
-  detail::grid_parts<detail::grid_sight<double>> parts{sight};
+  grid_perimeter outer(sight, perimeter_side::outer), inner(sight, perimeter_side::inner);
+  grid_parts<grid_sight<double>> parts{sight};
   const auto sent = [&](std::int64_t count) {
     ++counts.edges;
     counts.parts += count;
     counts.hidden += count == 0 ? 1 : 0;
   };
-  const auto draw = [&](detail::grid_edge g) {
+  const auto draw = [&](grid_edge g) {
     if (outer_hides) parts.add(g, outer.add(g));
     if (inner_hides) parts.add(g, inner.add(g));
     const auto a = sight.low(g), b = sight.high(g), rows = sight.rows();
@@ -217,7 +241,7 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
       sink(grid_edge_part{index(a / rows), index(a % rows), index(b / rows), index(b % rows), from, to});
     }));
   };
-  const detail::grid_sight_lines<detail::grid_sight<double>> lines{sight, outer_hides, inner_hides};
+  const grid_sight_lines<grid_sight<double>> lines{sight, outer_hides, inner_hides};
   lines.visit([&](const grid_edge_part& part, bool seen) {
     if (seen) sink(part);
     sent(seen ? 1 : 0);
@@ -246,5 +270,5 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
   return {counts, grid_surface_status::ok};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -13,11 +13,18 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include <irg/hidden/detail/edge_crossing.hpp>
+#include <irg/core/contraction.hpp>
+#include <irg/core/function_ref.hpp>
+#include <irg/hidden/detail/with_items.hpp>
 #include <irg/hidden/vocabulary.hpp>
+#include <irg/math/vec.hpp>
 #include <irg/raster/face_order.hpp>
+#if IRG_BODIES
+#include <irg/hidden/detail/edge_crossing.hpp>
+#endif
 
 namespace irg {
 
@@ -74,7 +81,32 @@ template <class Edge>
 
 }  // namespace IRG_ABI
 
-namespace detail {
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <class Counts, int Sense, class Faces, class Edges>
+IRG_API Counts send_edge_parts(const Faces& faces, const Edges& edges, const function_ref<void(edge_part)>& sink,
+                               face_search search);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+template <DepthOrder Order, class Faces, class Edges, class Emit>
+  requires(depth_sense<Order> != 0)
+constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges, Emit&& sink, face_search search) {
+  return detail::with_items<screen_face>(faces, [&](const auto& of_faces) {
+    return detail::with_items<screen_edge>(edges, [&](const auto& of_edges) {
+      return detail::send_edge_parts<hidden_line_counts, depth_sense<Order>>(
+          of_faces, of_edges, as_function<void(edge_part)>(sink), search);
+    });
+  });
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail {
 
 // What faces hide of an edge: the interval of each, and their union.
 
@@ -500,16 +532,15 @@ private:
 };
 
 }  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DepthOrder Order, class Faces, class Edges, class Emit>
-  requires(depth_sense<Order> != 0)
-constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges, Emit&& sink, face_search search) {
-  constexpr int sense = depth_sense<Order>;
-  detail::hidden_part_finder<sense, Faces> finder(faces, edges, search);
-  hidden_line_counts counts;
+template <class Counts, int Sense, class Faces, class Edges>
+IRG_API Counts send_edge_parts(const Faces& faces, const Edges& edges, const function_ref<void(edge_part)>& sink,
+                               face_search search) {
+  hidden_part_finder<Sense, Faces> finder(faces, edges, search);
+  Counts counts;
   counts.faces = finder.count();
   const auto give = [&](std::size_t edge, line_visibility visibility, double from, double to) {
     if (!(from < to)) return;
@@ -522,18 +553,18 @@ constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges
   };
   std::vector<hidden_places> hidden;
   std::vector<std::size_t> starts(edges.size() + 1, std::size_t{0});
-  const auto first = detail::first_alike(edges);
+  const auto first = first_alike(edges);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     starts[i + 1] = starts[i] = hidden.size();
     const screen_edge& line = edges[i];
     const screen_vertex &a = line.v[0], &b = line.v[1];
     if (a.position == b.position) continue;
     ++counts.edges;
-    const auto nearness = [](float depth) { return sense > 0 ? depth : -depth; };
-    const detail::hidden_edge e{{a.position, b.position}, {nearness(a.depth), nearness(b.depth)}};
+    const auto nearness = [](float depth) { return Sense > 0 ? depth : -depth; };
+    const hidden_edge e{{a.position, b.position}, {nearness(a.depth), nearness(b.depth)}};
     if (first[i] == i || search == face_search::every)
-      for (const detail::hidden_interval& h : finder.find(e, counts))
-        hidden.push_back({detail::place_of(h.from, e), detail::place_of(h.to, e)});
+      for (const hidden_interval& h : finder.find(e, counts))
+        hidden.push_back({place_of(h.from, e), place_of(h.to, e)});
     starts[i + 1] = hidden.size();
     const std::size_t source = starts[i] == starts[i + 1] ? first[i] : i;
     double seen_from = 0;
@@ -547,5 +578,5 @@ constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges
   return counts;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

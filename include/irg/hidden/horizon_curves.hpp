@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/hidden/horizon_view.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/sqrt.hpp>

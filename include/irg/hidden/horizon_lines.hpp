@@ -11,9 +11,14 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/hidden/detail/grid_sight.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/hidden/vocabulary.hpp>
+#include <irg/math/vec.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
+#include <irg/hidden/detail/grid_sight.hpp>
 #include <irg/math/error_free.hpp>
+#endif
 
 namespace irg {
 
@@ -45,8 +50,27 @@ constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> p
                                              drawn_parts which = drawn_parts::visible);
 
 }  // namespace IRG_ABI
+}  // namespace irg
 
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Counts>
+IRG_API Counts send_curves(std::span<const point<double, 2>> points, const function_ref<void(edge_part)>& sink,
+                           drawn_parts which);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <class Emit>
+constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> points, Emit&& sink, drawn_parts which) {
+  return detail::send_curves<horizon_line_counts>(points, as_function<void(edge_part)>(sink), which);
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // Curves in a picture, and what is decided of their steps, exactly: which passes above another at some x, and where
 // they cross. Directions are the places from left to right; it is what grid_perimeter asks of a sight.
@@ -180,22 +204,23 @@ struct line_horizons {
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <class Emit>
-constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> points, Emit&& sink, drawn_parts which) {
-  const detail::curve_sight<double> sight{points};
-  detail::line_horizons<detail::curve_sight<double>> horizons{sight};
-  horizon_line_counts counts;
+template <class Counts>
+IRG_API Counts send_curves(std::span<const point<double, 2>> points, const function_ref<void(edge_part)>& sink,
+                           drawn_parts which) {
+  const curve_sight<double> sight{points};
+  line_horizons<curve_sight<double>> horizons{sight};
+  Counts counts;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     if (!is_finite(points[k], points[k + 1]) || points[k] == points[k + 1]) continue;
     double seen_to = 0;
     const auto hide = [&](double to) {
       if (which == drawn_parts::all && seen_to < to) sink(edge_part{k, line_visibility::hidden, seen_to, to});
     };
-    const std::int64_t parts = horizons.add(static_cast<detail::grid_edge>(k), [&](double from, double to) {
+    const std::int64_t parts = horizons.add(static_cast<grid_edge>(k), [&](double from, double to) {
       hide(from);
       sink(edge_part{k, line_visibility::visible, from, to});
       seen_to = to;
@@ -209,5 +234,5 @@ constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> p
   return counts;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

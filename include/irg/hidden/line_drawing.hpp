@@ -3,6 +3,7 @@
 // what a body looks like is told by their role.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -11,15 +12,20 @@
 
 #include <irg/core/vocabulary.hpp>
 #include <irg/hidden/hidden_lines.hpp>
+#include <irg/math/mat.hpp>
+#include <irg/mesh/mesh.hpp>
+#include <irg/raster/draw_counts.hpp>
+#include <irg/raster/screen_mapping.hpp>
+#if IRG_BODIES
 #include <irg/math/angle_between.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/mesh/crease_normals.hpp>
 #include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/triangulate.hpp>
-#include <irg/raster/draw_counts.hpp>
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/screen_pieces.hpp>
+#endif
 
 namespace irg {
 
@@ -56,7 +62,49 @@ struct line_drawing {
   bool operator==(const line_drawing&) const = default;
 };
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
+
+/// Adds a mesh to a line drawing: its faces, as the renderer has them, and its edges, each once.
+/// shape   edges from the lower vertex to the higher, in the order of these; polygons are cut into triangles by
+///         triangulate, whose diagonals are no edges
+/// needs   a mesh in which validate() finds no defect
+/// gives   with culling, faces that turn their back or their edge to the eye neither hide nor have edges of their own;
+///         an edge beyond the eye or the guard band is cut in the points where its faces are. With frustum on, edges
+///         wholly more than two pixels beyond a border of the picture are left out, and triangles there are counted as
+///         `beyond`, culled or not. They stay in faces: an edge that leaves the picture may end behind one, and its
+///         pixels depend on where it ends
+/// exact   sides are those of the snapped corners; the angle of a crease is that of rounded unit normals
+/// cost    n log n in the edges at a vertex; allocates
+template <Floating T>
+IRG_API void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
+                      const screen_mapping<T>& mapping, const line_drawing_options<T>& options = {});
+
+}  // namespace IRG_COMPILED_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <class Drawing>
+IRG_API void leave_out_beside_edges(Drawing& drawing);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+/// Leaves out the faces that lie beside all edges, to be called when all meshes have been added.
+/// gives   a drawing of which hidden_lines finds the same parts: every point of an edge lies in the box around all
+///         edges, and only a face that covers it can hide it. Where add_mesh has left out the edges beyond the picture,
+///         these are most faces beyond it
+/// cost    linear
+template <std::same_as<line_drawing> Drawing>
+constexpr void leave_out_faces_beside_edges(Drawing& drawing) {
+  detail::leave_out_beside_edges(drawing);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 constexpr screen_box box_of_corners(const screen_face& f) noexcept {
   return box_of({f.v[0].position, f.v[1].position, f.v[2].position});
@@ -230,40 +278,28 @@ private:
   std::vector<std::uint32_t> face_of_corner_{};
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-/// Adds a mesh to a line drawing: its faces, as the renderer has them, and its edges, each once.
-/// shape   edges from the lower vertex to the higher, in the order of these; polygons are cut into triangles by
-///         triangulate, whose diagonals are no edges
-/// needs   a mesh in which validate() finds no defect
-/// gives   with culling, faces that turn their back or their edge to the eye neither hide nor have edges of their own;
-///         an edge beyond the eye or the guard band is cut in the points where its faces are. With frustum on, edges
-///         wholly more than two pixels beyond a border of the picture are left out, and triangles there are counted as
-///         `beyond`, culled or not. They stay in faces: an edge that leaves the picture may end behind one, and its
-///         pixels depend on where it ends
-/// exact   sides are those of the snapped corners; the angle of a crease is that of rounded unit normals
-/// cost    n log n in the edges at a vertex; allocates
+template <class Drawing>
+IRG_API void leave_out_beside_edges(Drawing& drawing) {
+  if (drawing.edges.empty()) return drawing.faces.clear();
+  const auto box_of_edge = [](const screen_edge& e) { return box_of({e.v[0].position, e.v[1].position}); };
+  screen_box edges = box_of_edge(drawing.edges[0]);
+  for (const screen_edge& e : drawing.edges) edges = around(edges, box_of_edge(e));
+  std::erase_if(drawing.faces, [&](const screen_face& f) { return !boxes_meet(box_of_corners(f), edges); });
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_COMPILED_ABI {
+
 template <Floating T>
-constexpr void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
-                        const screen_mapping<T>& mapping, const line_drawing_options<T>& options = {}) {
+IRG_API void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
+                      const screen_mapping<T>& mapping, const line_drawing_options<T>& options) {
   detail::drawn_mesh<T>(m, to_clip, mapping, options).add_to(drawing);
 }
 
-/// Leaves out the faces that lie beside all edges, to be called when all meshes have been added.
-/// gives   a drawing of which hidden_lines finds the same parts: every point of an edge lies in the box around all
-///         edges, and only a face that covers it can hide it. Where add_mesh has left out the edges beyond the picture,
-///         these are most faces beyond it
-/// cost    linear
-constexpr void leave_out_faces_beside_edges(line_drawing& drawing) {
-  if (drawing.edges.empty()) return drawing.faces.clear();
-  const auto box_of_edge = [](const screen_edge& e) { return detail::box_of({e.v[0].position, e.v[1].position}); };
-  detail::screen_box edges = box_of_edge(drawing.edges[0]);
-  for (const screen_edge& e : drawing.edges) edges = detail::around(edges, box_of_edge(e));
-  std::erase_if(drawing.faces,
-                [&](const screen_face& f) { return !detail::boxes_meet(detail::box_of_corners(f), edges); });
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

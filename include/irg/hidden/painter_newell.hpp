@@ -15,17 +15,21 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
+#include <irg/core/function_ref.hpp>
+#include <irg/hidden/ray_casting.hpp>
+#include <irg/hidden/vocabulary.hpp>
+#include <irg/raster/draw_counts.hpp>
+#include <irg/raster/image.hpp>
+#if IRG_BODIES
 #include <irg/core/memory_access.hpp>
 #include <irg/hidden/detail/crowded_window.hpp>
-#include <irg/hidden/vocabulary.hpp>
 #include <irg/hidden/order_in_window.hpp>
-#include <irg/hidden/ray_casting.hpp>
-#include <irg/raster/draw_counts.hpp>
 #include <irg/raster/face_fragment.hpp>
-#include <irg/raster/image.hpp>
 #include <irg/raster/triangle_coverage.hpp>
+#endif
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -62,7 +66,38 @@ struct painter_newell : exact_method {
   }
 };
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <class Counts, DepthOrder Order, class Observer>
+IRG_API Counts paint_sorted(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                            Observer& observer);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+template <DepthOrder Order, class Faces, class Observer>
+constexpr newell_counts draw_painter_newell(image<std::uint32_t>& ids, const Faces& faces, const cell_window& window,
+                                            Observer&& observer) {
+  static_assert(depth_sense<Order> != 0, "the painter needs depths");
+  std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+  if constexpr (std::is_same_v<std::remove_cvref_t<Observer>, no_newell_observer>) {
+    constexpr no_newell_observer nobody;
+    return detail::paint_sorted<newell_counts, Order>(ids, list, window, nobody);
+  } else if constexpr (IRG_BODIES != 0) {
+    return detail::paint_sorted<newell_counts, Order>(ids, list, window, observer);
+  } else {
+    const function_ref<void(newell_step, std::uint32_t, std::uint32_t)>& all =
+        as_function<void(newell_step, std::uint32_t, std::uint32_t)>(observer);
+    return detail::paint_sorted<newell_counts, Order>(ids, list, window, all);
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // The pixels that a part of a face may have, as a window.
 
@@ -219,7 +254,6 @@ constexpr int limited(const painted_part& part, const screen_face* other) noexce
 
 template <DepthOrder Order, class Observer>
 struct newell_painter {
-  static_assert(depth_sense<Order> != 0, "the painter needs depths");
   image<std::uint32_t>& ids;
   Observer& observer;
   std::vector<painted_part> list{};
@@ -386,18 +420,18 @@ struct newell_painter {
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DepthOrder Order, class Faces, class Observer>
-constexpr newell_counts draw_painter_newell(image<std::uint32_t>& ids, const Faces& faces, const cell_window& window,
-                                            Observer&& observer) {
-  const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-  detail::newell_painter<Order, std::remove_reference_t<Observer>> painter{ids, observer};
-  painter.paint(detail::sorted_by_depth<Order>(list), window);
+template <class Counts, DepthOrder Order, class Observer>
+IRG_API Counts paint_sorted(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                            Observer& observer) {
+  leave_out_repeated<Order>(list);
+  newell_painter<Order, Observer> painter{ids, observer};
+  painter.paint(sorted_by_depth<Order>(list), window);
   return painter.counts;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -4,23 +4,28 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <irg/core/vocabulary.hpp>
 #include <irg/hidden/grid_surface.hpp>
-#include <irg/hidden/horizon_lines.hpp>
-#include <irg/hidden/plot_ticks.hpp>
-#include <irg/hidden/surface_camera.hpp>
 #include <irg/hidden/surface_plot.hpp>
-#include <irg/math/trigonometry.hpp>
 #include <irg/raster/draw_text.hpp>
 #include <irg/raster/fill_convex_aa.hpp>
 #include <irg/raster/fill_polygon_aa.hpp>
 #include <irg/raster/line_aa.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
+#include <irg/hidden/horizon_lines.hpp>
+#include <irg/hidden/plot_ticks.hpp>
+#include <irg/hidden/surface_camera.hpp>
+#include <irg/math/trigonometry.hpp>
+#endif
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -38,9 +43,45 @@ template <class Options = surface_plot_options, class Plot = surface_plot>
 [[nodiscard]] constexpr checked<Plot, grid_surface_status> plot_surface(const grid_surface& surface,
                                                                         const Options& options = {});
 
-}  // namespace IRG_ABI
+/// Draws a plot: axes, facets with their edges, lines, texts. The paper is the raster's.
+/// cost    that of the lines and texts
+template <WritableRaster R>
+  requires CoveragePaintFor<rgba8, R>
+constexpr void draw_plot(R& raster, const surface_plot& plot, const plot_colours& colours = {}) {
+  for (const plot_line& l : plot.axes) draw_line_aa(raster, l.from, l.to, l.colour);
+  for (const plot_facet& f : plot.facets) {
+    const std::array<std::array<point<double, 2>, 4>, 1> rings{f.corners};
+    static_cast<void>(fill_polygon_aa(raster, rings, fill_rule::non_zero, f.colour));
+    for (std::size_t k = 0; k < 4; ++k) draw_line_aa(raster, f.corners[k], f.corners[(k + 1) % 4], colours.edge);
+  }
+  for (const plot_line& l : plot.lines) draw_line_aa(raster, l.from, l.to, l.colour);
+  for (const plot_label& l : plot.labels) draw_text(raster, l.text, l.at, l.style, colours.ink);
+}
 
-namespace detail {
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Plot, class Options>
+IRG_API checked<Plot, grid_surface_status> plot_of(const grid_surface& surface, const Options& options);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <class Options, class Plot>
+[[nodiscard]] constexpr checked<Plot, grid_surface_status> plot_surface(const grid_surface& surface,
+                                                                        const Options& options) {
+  static_assert(IRG_BODIES || (std::is_same_v<Options, surface_plot_options> && std::is_same_v<Plot, surface_plot>),
+                "irg: define IRG_HEADER_ONLY before the first header of irg to plot with other types");
+  return detail::plot_of<Plot>(surface, options);
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail {
 inline namespace IRG_ABI {
 
 // How a surface is seen: in a box of x and z from 0 to 1 and heights from 0 to the tallness, `middle` in the picture's
@@ -333,53 +374,36 @@ constexpr bool is_grid_with_gaps(const Surface& s) {
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <class Options, class Plot>
-[[nodiscard]] constexpr checked<Plot, grid_surface_status> plot_surface(const grid_surface& surface,
-                                                                        const Options& options) {
+template <class Plot, class Options>
+IRG_API checked<Plot, grid_surface_status> plot_of(const grid_surface& surface, const Options& options) {
   checked<Plot, grid_surface_status> plot{{}, grid_surface_status::not_a_grid};
   const auto is_positive = [](double v) { return v > 0x1p-20 && v < 0x1p20; };
   const bool usable = options.width > 0 && options.height > 0 && is_positive(options.distance) &&
                       is_positive(options.tallness) && is_positive(options.text_size) &&
                       magnitude(options.azimuth_degrees) < 0x1p20 && magnitude(options.elevation_degrees) < 0x1p20;
-  if (!usable || !detail::is_grid_with_gaps(surface)) return plot;
-  auto view = detail::place_camera(surface, options);
-  if (!detail::is_number(view.eye.x) || !detail::is_number(view.eye.y) || !detail::is_number(view.eye.z)) return plot;
-  detail::fit_box(view);
+  if (!usable || !is_grid_with_gaps(surface)) return plot;
+  auto view = place_camera(surface, options);
+  if (!is_number(view.eye.x) || !is_number(view.eye.y) || !is_number(view.eye.z)) return plot;
+  fit_box(view);
   Plot out{options.width, options.height};
-  detail::choose_method(view, out);
+  choose_method(view, out);
   plot.status = grid_surface_status::ok;
   if (out.method == surface_method::perimeter)
-    plot.status = visible_grid_edges(surface, view.eye, [&](const grid_edge_part& p) {
-                    detail::add_edge_part(view, p, out);
-                  }).status;
+    plot.status =
+        visible_grid_edges(surface, view.eye, [&](const grid_edge_part& p) { add_edge_part(view, p, out); }).status;
   else if (out.method == surface_method::floating_horizon)
-    detail::add_horizon(view, out);
+    add_horizon(view, out);
   else
-    detail::add_facets(view, out);
+    add_facets(view, out);
   if (plot.status != grid_surface_status::ok) return plot;
-  detail::add_axes(view, out);
+  add_axes(view, out);
   plot.value = std::move(out);
   return plot;
 }
 
-/// Draws a plot: axes, facets with their edges, lines, texts. The paper is the raster's.
-/// cost    that of the lines and texts
-template <WritableRaster R>
-  requires CoveragePaintFor<rgba8, R>
-constexpr void draw_plot(R& raster, const surface_plot& plot, const plot_colours& colours = {}) {
-  for (const plot_line& l : plot.axes) draw_line_aa(raster, l.from, l.to, l.colour);
-  for (const plot_facet& f : plot.facets) {
-    const std::array<std::array<point<double, 2>, 4>, 1> rings{f.corners};
-    static_cast<void>(fill_polygon_aa(raster, rings, fill_rule::non_zero, f.colour));
-    for (std::size_t k = 0; k < 4; ++k) draw_line_aa(raster, f.corners[k], f.corners[(k + 1) % 4], colours.edge);
-  }
-  for (const plot_line& l : plot.lines) draw_line_aa(raster, l.from, l.to, l.colour);
-  for (const plot_label& l : plot.labels) draw_text(raster, l.text, l.at, l.style, colours.ink);
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include <irg/raster/draw_counts.hpp>
@@ -34,6 +35,50 @@ struct ray_casting : exact_method {
 };
 
 namespace detail::inline IRG_ABI {
+
+// Whether methods can be had for an order of depths: where they were compiled before, for irg's own.
+template <class Order>
+inline constexpr bool has_methods = IRG_BODIES != 0 || std::is_same_v<Order, nearer_is_greater> ||
+                                    std::is_same_v<Order, nearer_is_less> || std::is_same_v<Order, drawing_order>;
+
+// The faces with an area that touch a window, side by side.
+template <DepthOrder Order, class Faces>
+constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_window& window) {
+  static_assert(has_methods<Order>,
+                "irg: define IRG_HEADER_ONLY before the first header of irg to draw faces in an order of your own");
+  std::vector<screen_face> list;
+  list.reserve(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const screen_face f = faces[i];
+    if (f.coverage.double_area != 0 && !intersect(f.coverage.bounds, window).empty()) list.push_back(f);
+  }
+  return list;
+}
+
+}  // namespace detail::inline IRG_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+// Methods take lists that copied_faces has made, from which they may leave out what is not seen.
+template <DepthOrder Order>
+IRG_API void cast_rays(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                       draw_counts& counts);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+template <DepthOrder Order>
+template <class Faces>
+constexpr void ray_casting<Order>::operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                              draw_counts& counts) const {
+  std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+  detail::cast_rays<Order>(ids, list, window, counts);
+}
+
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail {
+inline namespace IRG_ABI {
 
 // Of equal faces, whose corners are the same bits in the same order, the one of the lowest number, or the highest in
 // drawing order: the others are never seen.
@@ -73,27 +118,21 @@ constexpr void leave_out_equal_faces(std::vector<Face>& list) {
   list.resize(kept, Face{});
 }
 
-// The faces with an area that touch a window, side by side.
-template <DepthOrder Order, class Faces>
-constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_window& window) {
+// Looks for equal faces where a list is so long that it takes little beside the rest.
+template <DepthOrder Order>
+constexpr void leave_out_repeated(std::vector<screen_face>& list) {
   constexpr std::size_t many = 10000;
-  std::vector<screen_face> list;
-  list.reserve(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const screen_face f = faces[i];
-    if (f.coverage.double_area != 0 && !intersect(f.coverage.bounds, window).empty()) list.push_back(f);
-  }
   if (list.size() > many) leave_out_equal_faces<Order>(list);
-  return list;
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
 
 template <DepthOrder Order>
-template <class Faces>
-constexpr void ray_casting<Order>::operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                                              draw_counts& counts) const {
-  const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+IRG_API void cast_rays(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                       draw_counts& counts) {
+  leave_out_repeated<Order>(list);
   for (int y = window.y_first; y < window.y_last; ++y)
     for (int x = window.x_first; x < window.x_last; ++x) {
       const screen_face* nearest = nullptr;
@@ -107,4 +146,6 @@ constexpr void ray_casting<Order>::operator()(const Faces& faces, const cell_win
     }
 }
 
-}  // namespace irg
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg::detail
+#endif

@@ -16,9 +16,14 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
+#include <irg/hidden/detail/with_items.hpp>
+#include <irg/math/vec.hpp>
+#include <irg/raster/face_order.hpp>
+#if IRG_BODIES
 #include <irg/hidden/detail/window_cells.hpp>
 #include <irg/hidden/hidden_lines.hpp>
-#include <irg/math/vec.hpp>
+#endif
 
 namespace irg {
 
@@ -68,7 +73,28 @@ template <DepthOrder Order = nearer_is_greater, class Faces>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <class Map, int Sense, class Faces>
+IRG_API Map map_of_window(const Faces& faces, const cell_window& window);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+template <DepthOrder Order, class Faces>
+  requires(depth_sense<Order> != 0)
+[[nodiscard]] constexpr visible_polygon_map visible_polygons(const Faces& faces, const cell_window& window) {
+  return detail::with_items<screen_face>(faces, [&](const auto& of_faces) {
+    return detail::map_of_window<visible_polygon_map, depth_sense<Order>>(of_faces, window);
+  });
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // From cells to the outlines of what they show: points that are one are found exactly, boundaries between cells of one
 // number vanish, and what is left is cut where outlines meet and nowhere else, and linked to rings.
@@ -217,42 +243,41 @@ constexpr void link_outlines(const std::vector<Step>& steps, visible_polygon_map
   }
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DepthOrder Order, class Faces>
-  requires(depth_sense<Order> != 0)
-[[nodiscard]] constexpr visible_polygon_map visible_polygons(const Faces& faces, const cell_window& window) {
-  visible_polygon_map map;
+template <class Map, int Sense, class Faces>
+IRG_API Map map_of_window(const Faces& faces, const cell_window& window) {
+  Map map;
   if (window.empty()) return map;
-  std::vector<detail::hiding_face> hiding;
+  std::vector<hiding_face> hiding;
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const screen_face& f = faces[i];
     if (f.coverage.double_area == 0) continue;
-    hiding.push_back(detail::hiding_face_of<depth_sense<Order>>(f));
+    hiding.push_back(hiding_face_of<Sense>(f));
     numbers.push_back(f.number);
   }
-  detail::window_cutting<detail::hiding_face> cells{hiding, numbers};
-  detail::cut_into_cells(cells, window);
-  detail::cell_outlines<decltype(cells)> outlines{cells};
-  detail::order_points(outlines);
-  detail::collect_parts(outlines);
-  detail::join_outlines(outlines);
+  window_cutting<hiding_face> cells{hiding, numbers};
+  cut_into_cells(cells, window);
+  cell_outlines<decltype(cells)> outlines{cells};
+  order_points(outlines);
+  collect_parts(outlines);
+  join_outlines(outlines);
   std::vector<std::uint32_t> place_of_point(outlines.points.size(), 0u);
-  for (const detail::outline_step& s : outlines.steps) place_of_point[s.from] = 1;
+  for (const outline_step& s : outlines.steps) place_of_point[s.from] = 1;
   for (std::size_t i = 0; i < place_of_point.size(); ++i) {
     if (place_of_point[i] == 0) continue;
-    const detail::picture_point& p = cells.points[outlines.points[i]];
+    const picture_point& p = cells.points[outlines.points[i]];
     place_of_point[i] = static_cast<std::uint32_t>(map.places.size());
     map.places.push_back({p.x / one_pixel, p.y / one_pixel});
   }
-  detail::link_outlines(outlines.steps, map);
+  link_outlines(outlines.steps, map);
   for (std::uint32_t& c : map.corners) c = place_of_point[c];
   map.cells = cells.cells.size();
   return map;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

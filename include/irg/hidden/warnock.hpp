@@ -11,13 +11,17 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
-#include <irg/hidden/detail/crowded_window.hpp>
-#include <irg/hidden/order_in_window.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>
+#if IRG_BODIES
+#include <irg/hidden/detail/crowded_window.hpp>
+#include <irg/hidden/order_in_window.hpp>
 #include <irg/raster/triangle_coverage.hpp>
+#endif
 
 namespace irg {
 
@@ -82,7 +86,38 @@ struct warnock : exact_method {
   }
 };
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <class Counts, DepthOrder Order, class Observer>
+IRG_API Counts divide_windows(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                              Observer& observer);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+template <DepthOrder Order, class Faces, class Observer>
+constexpr warnock_counts draw_warnock(image<std::uint32_t>& ids, const Faces& faces, const cell_window& window,
+                                      Observer&& observer) {
+  if (window.empty()) return {};
+  std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+  if constexpr (std::is_same_v<std::remove_cvref_t<Observer>, no_window_observer>) {
+    constexpr no_window_observer nobody;
+    return detail::divide_windows<warnock_counts, Order>(ids, list, window, nobody);
+  } else if constexpr (IRG_BODIES != 0) {
+    return detail::divide_windows<warnock_counts, Order>(ids, list, window, observer);
+  } else {
+    const function_ref<void(const cell_window&, warnock_case)>& all =
+        as_function<void(const cell_window&, warnock_case)>(observer);
+    return detail::divide_windows<warnock_counts, Order>(ids, list, window, all);
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // For each pixel of a small window the set of the faces that cover it, as bits: what touches or surrounds a part of the
 // window is then the union or the common part of a few numbers.
@@ -302,17 +337,16 @@ struct warnock_division {
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <DepthOrder Order, class Faces, class Observer>
-constexpr warnock_counts draw_warnock(image<std::uint32_t>& ids, const Faces& faces, const cell_window& window,
-                                      Observer&& observer) {
-  if (window.empty()) return {};
-  const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-  return detail::warnock_division<Order, std::remove_reference_t<Observer>>{ids, observer}(list, window);
+template <class Counts, DepthOrder Order, class Observer>
+IRG_API Counts divide_windows(image<std::uint32_t>& ids, std::vector<screen_face>& list, const cell_window& window,
+                              Observer& observer) {
+  leave_out_repeated<Order>(list);
+  return warnock_division<Order, Observer>{ids, observer}(list, window);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -12,15 +12,17 @@
 #include <utility>
 #include <vector>
 
-#include <irg/core/is_finite.hpp>
 #include <irg/core/result.hpp>
+#include <irg/io/mesh_options.hpp>
+#include <irg/scene/stored_body.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/detail/xml_reader.hpp>
-#include <irg/io/mesh_options.hpp>
 #include <irg/math/decimal_digit.hpp>
-#include <irg/scene/stored_body.hpp>
+#endif
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// The bodies that an XML text describes, in its order.
 /// needs   the text in memory, in UTF-8; it is not kept
@@ -31,7 +33,27 @@ namespace irg::inline IRG_ABI {
 /// cost    linear; no recursion; memory at most 64 times the text and 1 MiB
 /// source  XML 1.0; Hank n.d., 3.1 (what is stored; it prints no schema, this one is irg's own)
 template <Floating T = double>
-[[nodiscard]] constexpr result<std::vector<stored_body<T>>> read_body_xml(std::string_view text);
+[[nodiscard]] IRG_API result<std::vector<stored_body<T>>> read_body_xml(std::string_view text);
+
+/// The bytes of an XML file that describes the bodies, in UTF-8.
+/// gives   an error when a body's mesh does not pass validate(), an edge or a face names what does not exist, a share
+///         of the light is negative or not finite, or a name holds bytes that XML does not allow
+/// exact   read_body_xml<T> of the bytes gives the same bodies again, if their meshes have positions and faces only
+/// cost    linear
+/// source  XML 1.0
+template <Floating T>
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
+    std::span<const stored_body<T>> bodies);
+
+}  // namespace irg::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T>
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
+    const std::vector<stored_body<T>>& bodies) {
+  return encode_body_xml(std::span<const stored_body<T>>(bodies));
+}
 
 /// One mesh of several bodies; each is a part, whose object is the body's name.
 /// needs   fewer than 2^32 points and corners in all
@@ -51,23 +73,9 @@ template <Floating T>
   return all;
 }
 
-/// The bytes of an XML file that describes the bodies, in UTF-8.
-/// gives   an error when a body's mesh does not pass validate(), an edge or a face names what does not exist, a share
-///         of the light is negative or not finite, or a name holds bytes that XML does not allow
-/// exact   read_body_xml<T> of the bytes gives the same bodies again, if their meshes have positions and faces only
-/// cost    linear
-/// source  XML 1.0
-template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
-    std::span<const stored_body<T>> bodies);
-template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
-    const std::vector<stored_body<T>>& bodies) {
-  return encode_body_xml(std::span<const stored_body<T>>(bodies));
-}
-
 }  // namespace irg::inline IRG_ABI
 
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // The bodies of an XML text, as docs/io/body_xml.md describes it. Elements and attributes of other namespaces are
@@ -352,10 +360,10 @@ constexpr void write_body(Bytes& out, const stored_body<T>& b) {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<stored_body<T>>> read_body_xml(std::string_view text) {
+[[nodiscard]] IRG_API result<std::vector<stored_body<T>>> read_body_xml(std::string_view text) {
   if (const auto too_long = detail::refuse_long_file(text)) return *too_long;
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return parse_error{0, 0, "text is UTF-16, but bodies are read as UTF-8"};
@@ -368,7 +376,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
     std::span<const stored_body<T>> bodies) {
   for (const stored_body<T>& b : bodies)
     if (const auto refused = detail::refuse_body(b)) return *refused;
@@ -381,4 +389,5 @@ template <Floating T>
 
 IRG_RENAMED(mesh_of_bodies, to_mesh)
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

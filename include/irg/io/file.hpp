@@ -2,17 +2,18 @@
 // Whole files in and out, by <cstdio> alone: no exceptions, and no file that is written by half.
 #pragma once
 
-#include <cerrno>
-#include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include <irg/core/result.hpp>
+#if IRG_BODIES
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <stdlib.h>
@@ -22,6 +23,17 @@
 #include <sys/stat.h>
 #define IRG_HAS_STAT 1
 #endif
+#endif
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+// Constexpr in name alone: files are no affair of constant evaluation.
+template <class Bytes = std::string>
+IRG_API result<Bytes> load_bytes(const std::string& path);
+template <class Bytes>
+IRG_API result<void> save_bytes(const std::string& path, const Bytes& bytes);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::inline IRG_ABI {
 
@@ -29,13 +41,15 @@ namespace irg::inline IRG_ABI {
 /// gives   one sentence when the file does not exist, may not be opened, is a directory, cannot be read, is empty or
 ///         holds more than 4 GiB; line and column are 0
 /// cost    twice the file's size in memory while it is read
-[[nodiscard]] inline result<std::string> load_file(const std::string& path);
+[[nodiscard]] inline result<std::string> load_file(const std::string& path) { return detail::load_bytes(path); }
 
 /// Writes a whole file: true when that succeeded, else the reason, and then the path is as it was before.
 /// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and
 ///         is removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither
 ///         file nor directory, such as a pipe or /dev/null, is written to directly
-[[nodiscard]] inline result<void> save_file(const std::string& path, std::string_view bytes);
+[[nodiscard]] inline result<void> save_file(const std::string& path, std::string_view bytes) {
+  return detail::save_bytes(path, bytes);
+}
 
 /// The same for bytes that are no text.
 [[nodiscard]] inline result<void> save_file(const std::string& path, std::span<const std::uint8_t> bytes) {
@@ -54,6 +68,7 @@ write_file_atomically(const std::string& path, const Bytes& bytes) {
 
 }  // namespace irg::inline IRG_ABI
 
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // What the operating system is asked about a file, and its bytes written.
@@ -112,39 +127,40 @@ inline bool replace_file(const char* from, const char* to) noexcept {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-[[nodiscard]] inline result<std::string> load_file(const std::string& path) {
-  if (detail::kind_of_file(path.c_str()) == detail::file_kind::directory)
-    return parse_error{0, 0, "path is a directory, not a file"};
+template <class Bytes>
+IRG_API result<Bytes> load_bytes(const std::string& path) {
+  if (kind_of_file(path.c_str()) == file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
   errno = 0;
   std::FILE* const file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) return detail::open_error(errno, "file does not exist", "file cannot be opened");
-  std::string bytes;
+  if (file == nullptr) return open_error(errno, "file does not exist", "file cannot be opened");
+  Bytes bytes;
   std::size_t filled = 0;
   do {
     bytes.resize(filled == 0 ? std::size_t{1} << 16 : 2 * filled);
     filled += std::fread(bytes.data() + filled, 1, bytes.size() - filled, file);
-  } while (filled == bytes.size() && filled <= detail::most_bytes);
+  } while (filled == bytes.size() && filled <= most_bytes);
   const bool broken = std::ferror(file) != 0;
   std::fclose(file);
-  if (filled > detail::most_bytes) return parse_error{0, 0, "file holds more than 4 GiB"};
+  if (filled > most_bytes) return parse_error{0, 0, "file holds more than 4 GiB"};
   if (broken) return parse_error{0, 0, "file cannot be read"};
   if (filled == 0) return parse_error{0, 0, "file is empty"};
   bytes.resize(filled);
   return bytes;
 }
 
-[[nodiscard]] inline result<void> save_file(const std::string& path, std::string_view bytes) {
-  const detail::file_kind kind = detail::kind_of_file(path.c_str());
-  if (kind == detail::file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
-  if (kind == detail::file_kind::other) {
+template <class Bytes>
+IRG_API result<void> save_bytes(const std::string& path, const Bytes& bytes) {
+  const file_kind kind = kind_of_file(path.c_str());
+  if (kind == file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
+  if (kind == file_kind::other) {
     std::FILE* const device = std::fopen(path.c_str(), "wb");
-    if (device == nullptr) return detail::open_error(errno, "file does not exist", "file cannot be opened");
-    if (!detail::write_and_close(device, bytes)) return parse_error{0, 0, "not all bytes could be written"};
+    if (device == nullptr) return open_error(errno, "file does not exist", "file cannot be opened");
+    if (!write_and_close(device, bytes)) return parse_error{0, 0, "not all bytes could be written"};
     return {};
   }
-  const std::string target = detail::without_links(path);
+  const std::string target = without_links(path);
   std::string beside;
   std::FILE* file = nullptr;
   errno = EEXIST;
@@ -152,11 +168,12 @@ namespace irg::inline IRG_ABI {
     beside = target + "." + std::to_string(attempt) + ".part";
     file = std::fopen(beside.c_str(), "wbx");  // x: never a file that another writer is at
   }
-  if (file == nullptr) return detail::open_error(errno, "folder of the file does not exist", "file cannot be created");
-  const bool written = detail::write_and_close(file, bytes);
-  if (written && detail::replace_file(beside.c_str(), target.c_str())) return {};
+  if (file == nullptr) return open_error(errno, "folder of the file does not exist", "file cannot be created");
+  const bool written = write_and_close(file, bytes);
+  if (written && replace_file(beside.c_str(), target.c_str())) return {};
   std::remove(beside.c_str());
   return parse_error{0, 0, written ? "file cannot be replaced" : "not all bytes could be written"};
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <irg/io/detail/text_cursor.hpp>
+#include <irg/io/detail/text_place.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/png.hpp>
 #include <irg/io/png_read.hpp>

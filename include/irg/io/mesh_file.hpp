@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <irg/io/body_xml.hpp>
-#include <irg/io/detail/text_cursor.hpp>
+#include <irg/io/detail/text_place.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/mtl.hpp>
 #include <irg/io/obj.hpp>
@@ -18,6 +18,9 @@
 #include <irg/io/off.hpp>
 #include <irg/io/ply.hpp>
 #include <irg/io/stl.hpp>
+#if IRG_BODIES
+#include <irg/io/detail/text_cursor.hpp>
+#endif
 
 namespace irg {
 
@@ -27,45 +30,29 @@ enum class mesh_format { obj, stl, ply, off, body_xml };
 /// The endings of their names, for messages.
 inline constexpr const char* mesh_endings = ".obj, .stl, .ply, .off or .xml";
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// The format of a mesh file's bytes: XML by its first character, PLY and OFF by their first word, STL by the word
 /// solid or by the length that binary STL states in its bytes; everything else is OBJ, which has no mark of its own.
 /// gives   a format for all bytes: whether they are such a file, its reader says
 /// cost    constant, but for blanks and comments before the first word
-[[nodiscard]] constexpr mesh_format mesh_format_of(std::string_view bytes) noexcept {
-  if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
-  bytes = detail::without_byte_order_mark(bytes);
-  if (detail::text_cursor(bytes, '\0').word() == "ply") return mesh_format::ply;
-  detail::text_cursor text(bytes, '#');
-  if (text.skip_space() && *text.at == '<') return mesh_format::body_xml;
-  const detail::off_header off = detail::off_header_of(bytes.substr(static_cast<std::size_t>(text.at - bytes.data())));
-  if (off.length != 0) return mesh_format::off;
-  if (detail::is_word(text.word(), "solid")) return mesh_format::stl;
-  return mesh_format::obj;
-}
+template <class Text = std::string_view>
+[[nodiscard]] IRG_API mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept;
 
-}  // namespace IRG_ABI
+/// The bytes of a file that describes the mesh in the given format.
+/// gives   the error of the format's writer, and one for an encoding that it does not have: OBJ, OFF and XML are text
+template <Floating T>
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_mesh(
+    const mesh<T>& m, mesh_format format, mesh_encoding encoding = mesh_encoding::text);
 
-namespace detail::inline IRG_ABI {
+}  // namespace IRG_COMPILED_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-constexpr result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format) {
-  switch (format) {
-    case mesh_format::stl: return read_stl<T>(bytes);
-    case mesh_format::ply: return read_ply<T>(bytes);
-    case mesh_format::off: return read_off<T>(bytes);
-    case mesh_format::body_xml: {
-      const auto bodies = read_body_xml<T>(bytes);
-      if (!bodies) return bodies.error();
-      return to_mesh(*bodies);
-    }
-    case mesh_format::obj: break;
-  }
-  return read_obj<T>(bytes);
-}
+IRG_API result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format);
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -126,20 +113,6 @@ result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
                            [&](std::string_view name) { return load_file(folder + std::string(name)); });
 }
 
-/// The bytes of a file that describes the mesh in the given format.
-/// gives   the error of the format's writer, and one for an encoding that it does not have: OBJ, OFF and XML are text
-template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_mesh(
-    const mesh<T>& m, mesh_format format, mesh_encoding encoding = mesh_encoding::text) {
-  if (format == mesh_format::stl) return encode_stl(m, encoding);
-  if (format == mesh_format::ply) return encode_ply(m, encoding);
-  if (encoding != mesh_encoding::text) return encode_error{"format has no binary form that is written"};
-  if (format == mesh_format::off) return encode_off(m);
-  if (format == mesh_format::obj) return encode_obj(m);
-  if (const auto refused = detail::refuse_mesh(m)) return *refused;
-  return encode_body_xml(std::vector{store_body<T>("body", m)});
-}
-
 /// Writes a mesh file in the format that its name's ending asks for: true when that succeeded, else the reason, and
 /// then the path is as it was before.
 template <Floating T>
@@ -161,4 +134,55 @@ write_mesh(const std::string& path, const mesh<T>& m, mesh_encoding encoding = m
 }
 
 }  // namespace IRG_ABI
+
+#if IRG_BODIES
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format) {
+  switch (format) {
+    case mesh_format::stl: return read_stl<T>(bytes);
+    case mesh_format::ply: return read_ply<T>(bytes);
+    case mesh_format::off: return read_off<T>(bytes);
+    case mesh_format::body_xml: {
+      const auto bodies = read_body_xml<T>(bytes);
+      if (!bodies) return bodies.error();
+      return to_mesh(*bodies);
+    }
+    case mesh_format::obj: break;
+  }
+  return read_obj<T>(bytes);
+}
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
+template <class Text>
+[[nodiscard]] IRG_API mesh_format mesh_format_of(std::type_identity_t<Text> bytes) noexcept {
+  if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
+  bytes = detail::without_byte_order_mark(bytes);
+  if (detail::text_cursor(bytes, '\0').word() == "ply") return mesh_format::ply;
+  detail::text_cursor text(bytes, '#');
+  if (text.skip_space() && *text.at == '<') return mesh_format::body_xml;
+  const detail::off_header off = detail::off_header_of(bytes.substr(static_cast<std::size_t>(text.at - bytes.data())));
+  if (off.length != 0) return mesh_format::off;
+  if (detail::is_word(text.word(), "solid")) return mesh_format::stl;
+  return mesh_format::obj;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_mesh(const mesh<T>& m, mesh_format format,
+                                                                                  mesh_encoding encoding) {
+  if (format == mesh_format::stl) return encode_stl(m, encoding);
+  if (format == mesh_format::ply) return encode_ply(m, encoding);
+  if (encoding != mesh_encoding::text) return encode_error{"format has no binary form that is written"};
+  if (format == mesh_format::off) return encode_off(m);
+  if (format == mesh_format::obj) return encode_obj(m);
+  if (const auto refused = detail::refuse_mesh(m)) return *refused;
+  return encode_body_xml(std::vector{store_body<T>("body", m)});
+}
+
+}  // namespace IRG_COMPILED_ABI
+#endif
 }  // namespace irg

@@ -8,16 +8,23 @@
 
 #include <irg/core/result.hpp>
 #include <irg/io/picture_limits.hpp>
+#if IRG_BODIES
 #include <irg/mesh/validate.hpp>
+#endif
 
 namespace irg {
 
 /// How a mesh's numbers stand in a file: as decimal text, or as bytes with the lowest or the highest first.
 enum class mesh_encoding { text, little_endian, big_endian };
 
+/// What to do with statements of OBJ that the mesh has no place for: points, lines, curves, smoothing groups and the
+/// like.
+enum class obj_unused { skip, refuse };
+
 /// Files of more bytes are not read: 4 GiB, so that 32 bits count the corners of every mesh.
 inline constexpr std::uint64_t max_mesh_file_bytes = 0xffffffffu;
 
+#if IRG_BODIES
 namespace detail::inline IRG_ABI {
 
 /// The error for a file of more than max_mesh_file_bytes.
@@ -46,4 +53,5 @@ constexpr std::optional<encode_error> refuse_mesh(const mesh<T>& m) noexcept {
 }
 
 }  // namespace detail::inline IRG_ABI
+#endif
 }  // namespace irg

@@ -12,9 +12,11 @@
 #include <vector>
 
 #include <irg/core/result.hpp>
-#include <irg/io/detail/text_cursor.hpp>
 #include <irg/io/mesh_options.hpp>
 #include <irg/shade/material.hpp>
+#if IRG_BODIES
+#include <irg/io/detail/text_cursor.hpp>
+#endif
 
 namespace irg {
 
@@ -29,6 +31,81 @@ struct mtl_material {
   bool operator==(const mtl_material&) const = default;
 };
 
+inline namespace IRG_COMPILED_ABI {
+
+/// The materials that an MTL text describes, in its order.
+/// gives   the first error with line and column. Ka, Kd, Ks, Ns, d, Tr, map_Kd and newmtl are read, all else is passed
+///         over; a shininess of 0, which many writers put where there is no highlight, becomes 1
+/// exact   numbers are correctly rounded to T
+/// cost    linear; memory at most 64 times the text and 1 MiB
+/// source  Wavefront
+template <Floating T = double>
+[[nodiscard]] IRG_API result<std::vector<mtl_material<T>>> read_mtl(std::string_view text);
+
+/// What the mtllib statements of an OBJ text name, each the rest of its line; nothing is opened.
+/// shape   in the order of the text, which the names are parts of
+/// cost    one pass over the text
+template <class Text = std::string_view>
+[[nodiscard]] IRG_API std::vector<Text> material_libraries(std::type_identity_t<Text> obj);
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+/// Whether a name can only be a file in the folder of the file that names it: no slash, no backslash, no colon, no dots
+/// that lead upwards, no byte 0.
+[[nodiscard]] constexpr bool is_plain_file_name(std::string_view name) noexcept {
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of(std::string_view("/\\:\0", 4)) == std::string_view::npos;
+}
+
+}  // namespace IRG_ABI
+
+namespace detail::inline IRG_ABI {
+
+/// The name without the folder's own name before it, as many writers put it there.
+template <class Text>
+constexpr Text without_own_folder(Text name) noexcept {
+  while (name.starts_with("./") || name.starts_with(".\\")) name.remove_prefix(2);
+  return name;
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+/// The materials of all libraries that an OBJ text names, one behind the other, each where it is named first.
+/// needs   open(name): a result whose value is the library's text, as load_file gives it; the name is without the ./ or
+///         .\ that may stand before it
+/// gives   the first error of open or read_mtl; an error, and no call of open, for a name that is then not
+///         is_plain_file_name
+/// cost    that of open and read_mtl, once for each library, however often the text names it
+template <Floating T = double, class Open>
+[[nodiscard]] constexpr result<std::vector<mtl_material<T>>> read_materials(std::string_view obj, const Open& open) {
+  std::vector<mtl_material<T>> all;
+  using name_text = std::conditional_t<Floating<T>, std::string_view, void>;  // depends on T: sorted where it is needed
+  std::vector<name_text> names = material_libraries(obj);
+  for (name_text& name : names) name = detail::without_own_folder(name);
+  auto different = names;
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  std::vector<unsigned char> is_read(different.size(), 0);
+  for (const name_text name : names) {
+    const auto place = std::lower_bound(different.begin(), different.end(), name) - different.begin();
+    if (std::exchange(is_read[static_cast<std::size_t>(place)], 1) != 0) continue;
+    if (!is_plain_file_name(name)) return parse_error{0, 0, "library of materials is not beside the model"};
+    const auto text = open(name);
+    if (!text) return text.error();
+    auto materials = read_mtl<T>(std::string_view(*text));
+    if (!materials) return materials.error();
+    for (mtl_material<T>& m : *materials) all.push_back(std::move(m));
+  }
+  return all;
+}
+
+}  // namespace IRG_ABI
+
+#if IRG_BODIES
 namespace detail::inline IRG_ABI {
 
 template <Floating T>
@@ -102,16 +179,10 @@ struct mtl_reader {
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
-/// The materials that an MTL text describes, in its order.
-/// gives   the first error with line and column. Ka, Kd, Ks, Ns, d, Tr, map_Kd and newmtl are read, all else is passed
-///         over; a shininess of 0, which many writers put where there is no highlight, becomes 1
-/// exact   numbers are correctly rounded to T
-/// cost    linear; memory at most 64 times the text and 1 MiB
-/// source  Wavefront
-template <Floating T = double>
-[[nodiscard]] constexpr result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
+template <Floating T>
+[[nodiscard]] IRG_API result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
   if (const auto too_long = detail::refuse_long_file(text)) return *too_long;
   text = detail::without_byte_order_mark(text);
   detail::mtl_reader<T> reader(text);
@@ -119,11 +190,8 @@ template <Floating T = double>
   return std::move(reader.read);
 }
 
-/// What the mtllib statements of an OBJ text name, each the rest of its line; nothing is opened.
-/// shape   in the order of the text, which the names are parts of
-/// cost    one pass over the text
-template <class Text = std::string_view>
-[[nodiscard]] constexpr std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
+template <class Text>
+[[nodiscard]] IRG_API std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
   std::vector<Text> names;
   detail::text_cursor text(detail::without_byte_order_mark(obj), '#');
   for (; text.skip_space(); text.skip_to_line_end())
@@ -132,56 +200,7 @@ template <class Text = std::string_view>
   return names;
 }
 
-/// Whether a name can only be a file in the folder of the file that names it: no slash, no backslash, no colon, no dots
-/// that lead upwards, no byte 0.
-[[nodiscard]] constexpr bool is_plain_file_name(std::string_view name) noexcept {
-  return !name.empty() && name != "." && name != ".." &&
-         name.find_first_of(std::string_view("/\\:\0", 4)) == std::string_view::npos;
-}
+}  // namespace IRG_COMPILED_ABI
+#endif
 
-}  // namespace IRG_ABI
-
-namespace detail::inline IRG_ABI {
-
-/// The name without the folder's own name before it, as many writers put it there.
-template <class Text>
-constexpr Text without_own_folder(Text name) noexcept {
-  while (name.starts_with("./") || name.starts_with(".\\")) name.remove_prefix(2);
-  return name;
-}
-
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
-/// The materials of all libraries that an OBJ text names, one behind the other, each where it is named first.
-/// needs   open(name): a result whose value is the library's text, as load_file gives it; the name is without the ./ or
-///         .\ that may stand before it
-/// gives   the first error of open or read_mtl; an error, and no call of open, for a name that is then not
-///         is_plain_file_name
-/// cost    that of open and read_mtl, once for each library, however often the text names it
-template <Floating T = double, class Open>
-[[nodiscard]] constexpr result<std::vector<mtl_material<T>>> read_materials(std::string_view obj, const Open& open) {
-  std::vector<mtl_material<T>> all;
-  using name_text = std::conditional_t<Floating<T>, std::string_view, void>;  // depends on T: sorted where it is needed
-  std::vector<name_text> names = material_libraries(obj);
-  for (name_text& name : names) name = detail::without_own_folder(name);
-  auto different = names;
-  std::sort(different.begin(), different.end());
-  different.erase(std::unique(different.begin(), different.end()), different.end());
-  std::vector<unsigned char> is_read(different.size(), 0);
-  for (const name_text name : names) {
-    const auto place = std::lower_bound(different.begin(), different.end(), name) - different.begin();
-    if (std::exchange(is_read[static_cast<std::size_t>(place)], 1) != 0) continue;
-    if (!is_plain_file_name(name)) return parse_error{0, 0, "library of materials is not beside the model"};
-    const auto text = open(name);
-    if (!text) return text.error();
-    auto materials = read_mtl<T>(std::string_view(*text));
-    if (!materials) return materials.error();
-    for (mtl_material<T>& m : *materials) all.push_back(std::move(m));
-  }
-  return all;
-}
-
-}  // namespace IRG_ABI
 }  // namespace irg

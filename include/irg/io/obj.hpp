@@ -12,7 +12,12 @@
 
 #include <irg/core/executor.hpp>
 #include <irg/core/result.hpp>
+#include <irg/io/detail/text_place.hpp>
+#include <irg/io/mesh_options.hpp>
+#include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
 #include <irg/io/detail/obj_reader.hpp>
+#endif
 
 namespace irg {
 
@@ -41,6 +46,21 @@ template <Floating T = double, Executor E = sequential>
 }  // namespace IRG_ABI
 }  // namespace irg
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+/// The mesh of a text, or the first error, by one reader after another.
+template <Floating T>
+IRG_API result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused unused);
+
+/// What read_obj_in_one_go gives, for every executor and any pieces.
+/// needs   bytes > 0
+template <Floating T>
+IRG_API result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused unused, std::size_t bytes,
+                                           const executor_ref& executor);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // An OBJ text cut at ends of lines into pieces that an executor's tasks read, each as if it began the text, and laid
@@ -229,11 +249,34 @@ struct obj_pieces {
   }
 };
 
-/// What read_obj_in_one_go gives, for every executor and any pieces.
-/// needs   bytes > 0
-template <Floating T, class E>
-constexpr result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused unused, std::size_t bytes,
-                                             const E& executor) {
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused unused) {
+  obj_counts counts;
+  {
+    obj_reader<T> reader(text, unused);
+    reader.content.reserve(samples_of_obj(text), text.size());
+    const bool sound = reader.text();
+    if (const std::size_t zero = sound && !reader.has_zero ? text.npos : text.find('\0'); zero != text.npos)
+      return error_at(text, text.data() + zero, "byte 0 stands in the text");
+    if (!sound) return error_at(text, reader.place, reader.message);
+    if (reader.content.every_index_exists()) {
+      reader.end_part();
+      return std::move(reader.content.made);
+    }
+    counts = reader.content.filled;
+  }
+  obj_reader<T> reader(text, unused, counts);
+  reader.text();
+  return error_at(text, reader.place, reader.message);
+}
+
+template <Floating T>
+IRG_API result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused unused, std::size_t bytes,
+                                           const executor_ref& executor) {
   {
     obj_pieces<T> pieces(text, unused, bytes);
     if (pieces.read(executor)) return std::move(pieces.whole.content.made);
@@ -241,7 +284,8 @@ constexpr result<mesh<T>> read_obj_in_pieces(std::string_view text, obj_unused u
   return read_obj_in_one_go<T>(text, unused);
 }
 
-}  // namespace irg::detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif
 
 namespace irg::inline IRG_ABI {
 
@@ -254,7 +298,7 @@ template <Floating T, Executor E>
   if constexpr (!std::is_same_v<E, sequential>) {
     constexpr std::size_t piece_bytes = std::size_t{1} << 16;
     if (text.size() > 2 * piece_bytes)
-      return detail::read_obj_in_pieces<T>(text, options.unused, piece_bytes, executor);
+      return detail::read_obj_in_pieces<T>(text, options.unused, piece_bytes, as_executor(executor));
   }
   return detail::read_obj_in_one_go<T>(text, options.unused);
 }

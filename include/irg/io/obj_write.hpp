@@ -8,10 +8,12 @@
 #include <vector>
 
 #include <irg/core/result.hpp>
-#include <irg/io/detail/text_writer.hpp>
 #include <irg/io/mesh_options.hpp>
+#if IRG_BODIES
+#include <irg/io/detail/text_writer.hpp>
+#endif
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// The bytes of an OBJ text that describes the mesh.
 /// gives   an error when the mesh does not pass validate()
@@ -21,10 +23,11 @@ namespace irg::inline IRG_ABI {
 /// cost    linear
 /// source  Wavefront
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m);
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m);
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
 
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 /// Writes a statement that names what follows. A blank behind a backslash keeps it from swallowing the next line.
@@ -60,10 +63,10 @@ constexpr void write_obj_vectors(Bytes& out, std::string_view word, const Vector
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m) {
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   std::vector<std::uint8_t> out;
   detail::write_obj_vectors<3>(out, "v", m.positions);
@@ -85,4 +88,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

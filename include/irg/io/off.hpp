@@ -11,18 +11,20 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/result.hpp>
+#include <irg/io/mesh_options.hpp>
+#include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
 #include <irg/core/conversion.hpp>
 #include <irg/core/is_finite.hpp>
-#include <irg/core/result.hpp>
 #include <irg/io/detail/byte_cursor.hpp>
 #include <irg/io/detail/text_cursor.hpp>
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/detail/vertex_layout.hpp>
-#include <irg/io/mesh_options.hpp>
 #include <irg/math/decimal_digit.hpp>
-#include <irg/mesh/mesh.hpp>
+#endif
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// The mesh that an OFF file describes.
 /// shape   its vertices' positions in order, with their normals and texture coordinates where the first word promises
@@ -34,7 +36,7 @@ namespace irg::inline IRG_ABI {
 /// cost    linear; memory at most 64 times the file and 1 MiB, whatever its counts claim
 /// source  Geomview
 template <Floating T = double>
-[[nodiscard]] constexpr result<mesh<T>> read_off(std::string_view bytes);
+[[nodiscard]] IRG_API result<mesh<T>> read_off(std::string_view bytes);
 
 /// The bytes of an OFF file that describes the mesh, as text: OFF, NOFF, STOFF or STNOFF.
 /// shape   a vertex for each position, more where its corners differ in normal or texture coordinate; an attribute that
@@ -46,10 +48,11 @@ template <Floating T = double>
 /// cost    linear; O(n log n) where there are normals or texture coordinates
 /// source  Geomview
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m);
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m);
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
 
+#if IRG_BODIES
 namespace irg::detail {
 
 // OFF's header, and its two forms: words, and big-endian numbers.
@@ -299,10 +302,10 @@ struct off_reader {
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr result<mesh<T>> read_off(std::string_view bytes) {
+[[nodiscard]] IRG_API result<mesh<T>> read_off(std::string_view bytes) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
   const std::string_view text = detail::without_byte_order_mark(bytes);
   detail::off_reader<T> reader(text);
@@ -312,7 +315,7 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m) {
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   const auto v = detail::vertices_to_write(m);
   std::vector<std::uint8_t> out;
@@ -332,4 +335,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -11,17 +11,19 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/result.hpp>
+#include <irg/io/mesh_options.hpp>
+#include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
 #include <irg/core/conversion.hpp>
 #include <irg/core/is_finite.hpp>
-#include <irg/core/result.hpp>
 #include <irg/io/detail/byte_cursor.hpp>
 #include <irg/io/detail/text_cursor.hpp>
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/detail/vertex_layout.hpp>
-#include <irg/io/mesh_options.hpp>
-#include <irg/mesh/mesh.hpp>
+#endif
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// The mesh that a PLY file describes.
 /// shape   its vertices' positions in order, with normals (nx, ny, nz) and texture coordinates (the first whole pair of
@@ -35,7 +37,7 @@ namespace irg::inline IRG_ABI {
 /// cost    linear; memory at most 64 times the file and 1 MiB, whatever the header claims
 /// source  Turk 1994
 template <Floating T = double>
-[[nodiscard]] constexpr result<mesh<T>> read_ply(std::string_view bytes);
+[[nodiscard]] IRG_API result<mesh<T>> read_ply(std::string_view bytes);
 
 /// The bytes of a PLY file that describes the mesh.
 /// shape   a vertex for each position, more where its corners differ in normal or texture coordinate; an attribute that
@@ -49,11 +51,12 @@ template <Floating T = double>
 /// cost    linear; O(n log n) where there are normals or texture coordinates
 /// source  Turk 1994
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_ply(
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_ply(
     const mesh<T>& m, mesh_encoding encoding = mesh_encoding::text);
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
 
+#if IRG_BODIES
 namespace irg::detail {
 
 // The header of a PLY file: its elements and their properties, as the body has them one after another.
@@ -481,10 +484,10 @@ constexpr void write_ply_body(const mesh<T>& m, const Layout& v, ply_type count_
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr result<mesh<T>> read_ply(std::string_view bytes) {
+[[nodiscard]] IRG_API result<mesh<T>> read_ply(std::string_view bytes) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
   const std::string_view text = detail::without_byte_order_mark(bytes);
   using element = detail::ply_element<>;
@@ -505,8 +508,8 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_ply(const mesh<T>& m,
-                                                                                   mesh_encoding encoding) {
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_ply(const mesh<T>& m,
+                                                                                 mesh_encoding encoding) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   const auto v = detail::vertices_to_write(m);
   std::size_t most_corners = 0;
@@ -539,4 +542,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

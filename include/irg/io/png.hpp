@@ -8,9 +8,12 @@
 #include <vector>
 
 #include <irg/core/result.hpp>
+#include <irg/io/detail/checksum.hpp>
+#include <irg/io/picture_limits.hpp>
+#if IRG_BODIES
 #include <irg/io/detail/deflate.hpp>
 #include <irg/io/detail/png_filter.hpp>
-#include <irg/io/picture_limits.hpp>
+#endif
 
 namespace irg {
 
@@ -37,7 +40,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
 }  // namespace IRG_ABI
 }  // namespace irg
 
-namespace irg::detail::inline IRG_ABI {
+namespace irg::detail {
 
 /// The pixels of a raster, each read once, and which channels they need.
 template <class Bytes = std::vector<std::uint8_t>>
@@ -46,8 +49,14 @@ struct png_pixels {
   std::size_t width = 0, height = 0;
   bool has_colour = true, has_opacity = true;
 
-  constexpr std::size_t channels() const noexcept { return (has_colour ? 3u : 1u) + (has_opacity ? 1u : 0u); }
+  IRG_INLINE constexpr std::size_t channels() const noexcept {
+    return (has_colour ? 3u : 1u) + (has_opacity ? 1u : 0u);
+  }
 };
+
+}  // namespace irg::detail
+
+namespace irg::detail::inline IRG_ABI {
 
 template <EncodableRaster R>
 constexpr png_pixels<> read_pixels(const R& raster, int width, int height, png_options::channels kept) {
@@ -72,6 +81,69 @@ constexpr png_pixels<> read_pixels(const R& raster, int width, int height, png_o
   }
   return p;
 }
+
+template <class Bytes>
+constexpr void append_big_endian(Bytes& file, std::size_t n) {
+  for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<std::uint8_t>(n >> shift));
+}
+
+/// Appends a chunk: length, name, data, checksum over name and data.
+/// needs   less than 2^31 bytes of data
+template <class Bytes>
+constexpr void append_chunk(Bytes& file, const char (&name)[5], std::span<const std::uint8_t> data) {
+  append_big_endian(file, data.size());
+  const std::size_t checked = file.size();
+  for (int i = 0; i < 4; ++i) file.push_back(static_cast<std::uint8_t>(name[i]));
+  file.insert(file.end(), data.begin(), data.end());
+  append_big_endian(file, crc32(std::span<const std::uint8_t>(file).subspan(checked)));
+}
+
+template <class Bytes>
+constexpr void append_header(Bytes& file, const png_pixels<Bytes>& p) {
+  Bytes header;
+  append_big_endian(header, p.width);
+  append_big_endian(header, p.height);
+  const int colour_type = (p.has_colour ? 2 : 0) + (p.has_opacity ? 4 : 0);
+  for (const int byte : {8, colour_type, 0, 0, 0}) header.push_back(static_cast<std::uint8_t>(byte));
+  append_chunk(file, "IHDR", header);
+}
+
+/// What every file begins with.
+template <class Bytes>
+constexpr Bytes begin_png(const png_pixels<Bytes>& p) {
+  Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  append_header(file, p);
+  const std::uint8_t perceptual[] = {0};
+  append_chunk(file, "sRGB", perceptual);
+  return file;
+}
+
+/// Calls append(part) for the parts of a stream, one for each chunk.
+template <class Bytes, class Append>
+constexpr void append_in_chunks(const Bytes& stream, const Append& append) {
+  constexpr std::size_t chunk_size = 1u << 20;  // far below the format's limit, and testable
+  for (std::size_t first = 0; first < stream.size(); first += chunk_size) {
+    const std::size_t rest = stream.size() - first;
+    append(std::span<const std::uint8_t>(stream).subspan(first, rest < chunk_size ? rest : chunk_size));
+  }
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+/// The rows of a picture as its chunks hold them.
+template <class Bytes>
+IRG_API Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort);
+
+/// The file of a picture.
+template <class Bytes>
+IRG_API Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 /// Copies the needed channels of row y.
 template <class Bytes>
@@ -103,32 +175,6 @@ constexpr Bytes filter_rows(const png_pixels<Bytes>& p, filtering mode) {
   return filtered;
 }
 
-template <class Bytes>
-constexpr void append_big_endian(Bytes& file, std::size_t n) {
-  for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<std::uint8_t>(n >> shift));
-}
-
-/// Appends a chunk: length, name, data, checksum over name and data.
-/// needs   less than 2^31 bytes of data
-template <class Bytes>
-constexpr void append_chunk(Bytes& file, const char (&name)[5], std::span<const std::uint8_t> data) {
-  append_big_endian(file, data.size());
-  const std::size_t checked = file.size();
-  for (int i = 0; i < 4; ++i) file.push_back(static_cast<std::uint8_t>(name[i]));
-  file.insert(file.end(), data.begin(), data.end());
-  append_big_endian(file, crc32(std::span<const std::uint8_t>(file).subspan(checked)));
-}
-
-template <class Bytes>
-constexpr void append_header(Bytes& file, const png_pixels<Bytes>& p) {
-  Bytes header;
-  append_big_endian(header, p.width);
-  append_big_endian(header, p.height);
-  const int colour_type = (p.has_colour ? 2 : 0) + (p.has_opacity ? 4 : 0);
-  for (const int byte : {8, colour_type, 0, 0, 0}) header.push_back(static_cast<std::uint8_t>(byte));
-  append_chunk(file, "IHDR", header);
-}
-
 constexpr deflate_effort effort_of(png_options::compression c) noexcept {
   switch (c) {
     case png_options::compression::stored: return {0, 0, 0};
@@ -138,35 +184,26 @@ constexpr deflate_effort effort_of(png_options::compression c) noexcept {
   return {64, 64, 258};
 }
 
-/// The rows of a picture as its chunks hold them. Bytes depends on the raster: what compresses is then instantiated by
-/// those who write a picture.
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
 template <class Bytes>
-constexpr Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort) {
+IRG_API Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort) {
   const bool stored = effort == png_options::compression::stored;
   return zlib_compress(filter_rows(p, stored ? filtering::none : filtering::adaptive), effort_of(effort));
 }
 
-/// What every file begins with.
 template <class Bytes>
-constexpr Bytes begin_png(const png_pixels<Bytes>& p) {
-  Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  append_header(file, p);
-  const std::uint8_t perceptual[] = {0};
-  append_chunk(file, "sRGB", perceptual);
+IRG_API Bytes encode_png_pixels(const png_pixels<Bytes>& p, png_options::compression effort) {
+  Bytes file = begin_png(p);
+  append_in_chunks(compress_rows(p, effort), [&](auto part) { append_chunk(file, "IDAT", part); });
+  append_chunk(file, "IEND", {});
   return file;
 }
 
-/// Calls append(part) for the parts of a stream, one for each chunk.
-template <class Bytes, class Append>
-constexpr void append_in_chunks(const Bytes& stream, const Append& append) {
-  constexpr std::size_t chunk_size = 1u << 20;  // far below the format's limit, and testable
-  for (std::size_t first = 0; first < stream.size(); first += chunk_size) {
-    const std::size_t rest = stream.size() - first;
-    append(std::span<const std::uint8_t>(stream).subspan(first, rest < chunk_size ? rest : chunk_size));
-  }
-}
-
-}  // namespace irg::detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif
 
 namespace irg::inline IRG_ABI {
 
@@ -175,12 +212,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
   const int width = width_of(raster), height = height_of(raster);
   if (const auto refused = detail::refuse_picture_size(width, height)) return *refused;
 
-  const auto pixels = detail::read_pixels(raster, width, height, options.kept);
-  auto file = detail::begin_png(pixels);
-  detail::append_in_chunks(detail::compress_rows(pixels, options.effort),
-                           [&](auto part) { detail::append_chunk(file, "IDAT", part); });
-  detail::append_chunk(file, "IEND", {});
-  return file;
+  return detail::encode_png_pixels(detail::read_pixels(raster, width, height, options.kept), options.effort);
 }
 
 }  // namespace irg::inline IRG_ABI

@@ -12,10 +12,12 @@
 
 #include <irg/colour/pixel.hpp>
 #include <irg/core/result.hpp>
-#include <irg/io/detail/inflate.hpp>
-#include <irg/io/detail/png_filter.hpp>
 #include <irg/io/picture_limits.hpp>
 #include <irg/raster/image.hpp>
+#if IRG_BODIES
+#include <irg/io/detail/inflate.hpp>
+#include <irg/io/detail/png_filter.hpp>
+#endif
 
 namespace irg {
 
@@ -46,6 +48,15 @@ template <std::convertible_to<std::string_view> Bytes>
 }  // namespace IRG_ABI
 }  // namespace irg
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+/// The picture of a file; Bytes is what the compressed data are gathered in.
+template <class Bytes>
+IRG_API result<image<rgba8>> read_png_file(std::span<const std::uint8_t> file, const png_read_options& options);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+#if IRG_BODIES
 namespace irg::detail {
 
 // The rows of a PNG file as its decompressed data hold them, filtered and perhaps interlaced, made into pixels.
@@ -366,20 +377,30 @@ private:
 };
 
 }  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
+template <class Bytes>
+IRG_API result<image<rgba8>> read_png_file(std::span<const std::uint8_t> file, const png_read_options& options) {
+  return png_reader<Bytes>(file, options).read();
+}
+
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
+#endif
 
 namespace irg::inline IRG_ABI {
 
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
 [[nodiscard]] constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options) {
-  return detail::png_reader<std::vector<std::uint8_t>>(bytes, options).read();
+  return detail::read_png_file<std::vector<std::uint8_t>>(bytes, options);
 }
 
 template <std::convertible_to<std::string_view> Bytes>
 [[nodiscard]] constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options) {
   const std::string_view text = bytes;
   const std::vector<std::uint8_t> copy(text.begin(), text.end());
-  return detail::png_reader<std::vector<std::uint8_t>>(copy, options).read();
+  return detail::read_png_file<std::vector<std::uint8_t>>(copy, options);
 }
 
 }  // namespace irg::inline IRG_ABI

@@ -75,7 +75,19 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_netpbm(char kin
   return file;
 }
 
-/// Reads a netpbm file from bytes of either type: char (what load_file gives) or std::uint8_t.
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+/// The picture of a netpbm file from bytes of either type: char (what load_file gives) or std::uint8_t.
+template <class Byte>
+IRG_API result<image<rgb8>> read_netpbm(std::span<const Byte> bytes);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
 template <class Byte>
 class netpbm_reader {
 public:
@@ -211,6 +223,16 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Byte>
+IRG_API result<image<rgb8>> read_netpbm(std::span<const Byte> bytes) {
+  return netpbm_reader<Byte>(bytes).read();
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif
+
 namespace irg::inline IRG_ABI {
 
 template <EncodableRaster R>
@@ -229,12 +251,12 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& ra
 
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
 [[nodiscard]] constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
-  return detail::netpbm_reader<std::uint8_t>(bytes).read();
+  return detail::read_netpbm<std::uint8_t>(bytes);
 }
 
 template <std::convertible_to<std::string_view> Bytes>
 [[nodiscard]] constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
-  return detail::netpbm_reader<char>(std::string_view(bytes)).read();
+  return detail::read_netpbm<char>(std::string_view(bytes));
 }
 
 }  // namespace irg::inline IRG_ABI

@@ -13,18 +13,20 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/result.hpp>
+#include <irg/io/mesh_options.hpp>
+#include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
 #include <irg/core/conversion.hpp>
 #include <irg/core/is_finite.hpp>
-#include <irg/core/result.hpp>
 #include <irg/io/detail/byte_cursor.hpp>
 #include <irg/io/detail/text_cursor.hpp>
 #include <irg/io/detail/text_writer.hpp>
-#include <irg/io/mesh_options.hpp>
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/merge_positions.hpp>
-#include <irg/mesh/mesh.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/mesh/validate.hpp>
+#endif
 
 namespace irg {
 
@@ -36,7 +38,7 @@ struct stl_options {
   bool operator==(const stl_options&) const = default;
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// The mesh that an STL file describes, ASCII or binary.
 /// shape   triangles; positions in the order in which the file names them first; one part for each solid with triangles
@@ -48,7 +50,7 @@ inline namespace IRG_ABI {
 /// cost    linear; O(n log n) with shared positions; memory at most 16 times the file and 1 MiB
 /// source  StereoLithography
 template <Floating T = double>
-[[nodiscard]] constexpr result<mesh<T>> read_stl(std::string_view bytes, stl_options options = {});
+[[nodiscard]] IRG_API result<mesh<T>> read_stl(std::string_view bytes, stl_options options = {});
 
 /// The bytes of an STL file that describes the mesh; polygons become triangles (triangulate).
 /// gives   an error when the mesh does not pass validate(), when there are more than 1,431,655,765 triangles, and for
@@ -61,12 +63,13 @@ template <Floating T = double>
 /// cost    linear, after triangulate
 /// source  StereoLithography
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_stl(
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_stl(
     const mesh<T>& m, mesh_encoding encoding = mesh_encoding::text);
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // STL's two forms, told apart by the length that the binary one states, and read.
@@ -255,10 +258,10 @@ constexpr std::optional<encode_error> write_binary_stl(Bytes& out, const mesh<T>
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr result<mesh<T>> read_stl(std::string_view bytes, stl_options options) {
+[[nodiscard]] IRG_API result<mesh<T>> read_stl(std::string_view bytes, stl_options options) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
   const std::string_view text =
       detail::has_length_of_binary_stl(bytes) ? bytes : detail::without_byte_order_mark(bytes);
@@ -279,8 +282,8 @@ template <Floating T>
 }
 
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_stl(const mesh<T>& m,
-                                                                                   mesh_encoding encoding) {
+[[nodiscard]] IRG_API result<std::vector<std::uint8_t>, encode_error> encode_stl(const mesh<T>& m,
+                                                                                 mesh_encoding encoding) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   if (encoding == mesh_encoding::big_endian) return encode_error{"binary STL is little endian, not big endian"};
   if (m.corners.size() - 2 * m.face_count() > 0xffffffffu / 3) return encode_error{"mesh has too many triangles"};
@@ -295,4 +298,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

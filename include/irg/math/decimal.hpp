@@ -43,7 +43,7 @@ struct decimal_result {
 template <Floating T>
 inline constexpr int longest_decimal = sizeof(T) == 4 ? 15 : 24;
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// The number nearest to the decimal text at the head of [first, last).
 /// shape   [+-] digits [. digits] [e [+-] digits], a digit before or after the point; blanks, nan, inf and hexadecimal
@@ -54,17 +54,11 @@ inline namespace IRG_ABI {
 /// cost    15 to 50 ns for up to 19 digits, 240 ns for 120 beside the middle of two doubles; linear in the digits
 /// source  Lemire 2021 (the bounds); Clinger 1990 (the exact comparison)
 template <Floating T>
-[[nodiscard]] constexpr decimal_result<T> parse_decimal(const char* first, const char* last) noexcept {
-  const detail::decimal_text text = detail::scan_decimal(first, last);
-  if (text.digits_end == nullptr) return {T{0}, first, decimal_status::none};
-  using bits_type = detail::bits_of_decimal<T>;
-  const bits_type bits = std::bit_cast<bits_type>(unsigned_value<T>(text));
-  decimal_status status = decimal_status::ok;
-  if (bits == std::bit_cast<bits_type>(std::numeric_limits<T>::infinity())) status = decimal_status::overflow;
-  if (bits == 0 && text.mantissa != 0) status = decimal_status::underflow;
-  const bits_type sign = static_cast<bits_type>(text.negative ? 1 : 0) << (8 * sizeof(T) - 1);
-  return {std::bit_cast<T>(bits | sign), text.end, status};
-}
+[[nodiscard]] IRG_API decimal_result<T> parse_decimal(const char* first, const char* last) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
 
 /// Which of the 64 bytes at p are digits: one bit each, the first byte's the lowest.
 /// exact   always
@@ -121,6 +115,10 @@ template <std::integral J>
   return {static_cast<J>(negative ? 0 - value : value), p, fits ? decimal_status::ok : decimal_status::overflow};
 }
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// Writes the shortest decimal text that reads as `value` again: the end of that text.
 /// shape   [-] digits [. digits] [e (+|-) digits], of the fewest digits that lead back, and of those the ones nearest
 ///         to the value. As 12300, 12.3, 0.0123 or 1.23e+45, whichever is shorter, without an exponent when equally
@@ -131,7 +129,11 @@ template <std::integral J>
 /// cost    20 to 80 ns
 /// source  Giulietti 2020
 template <Floating T>
-constexpr std::optional<char*> print_decimal(char* first, char* last, T value) noexcept;
+IRG_API std::optional<char*> print_decimal(char* first, char* last, T value) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
 
 /// Writes an integer in decimal: the end of its text.
 /// gives   nothing, and nothing written, when there is not enough room; 20 bytes always are
@@ -141,18 +143,18 @@ constexpr std::optional<char*> print_integer(char* first, char* last, J value) n
 
 /// The same of a text in one piece.
 template <class T>
-  requires requires(const char* p) { parse_decimal<T>(p, p); }
+  requires requires(const char* p) { irg::parse_decimal<T>(p, p); }
 [[nodiscard]] constexpr decimal_result<T> parse_decimal(std::string_view text) noexcept {
-  return parse_decimal<T>(text.data(), text.data() + text.size());
+  return irg::parse_decimal<T>(text.data(), text.data() + text.size());
 }
 
 /// The text that print_decimal writes to the head of `room`.
 /// gives   an empty text, and nothing written, when there is not enough room
 template <class T>
-  requires requires(char* p, T value) { print_decimal(p, p, value); }
+  requires requires(char* p, T value) { irg::print_decimal(p, p, value); }
 constexpr std::string_view print_decimal(std::span<char> room, T value) noexcept {
   char* const first = room.data();
-  const std::optional<char*> last = print_decimal(first, first + room.size(), value);
+  const std::optional<char*> last = irg::print_decimal(first, first + room.size(), value);
   return {first, last ? static_cast<std::size_t>(*last - first) : 0};
 }
 
@@ -176,6 +178,92 @@ struct binary_parts {
 };
 
 inline namespace IRG_ABI {
+
+struct ten_powers {
+  std::uint64_t value[20]{1};
+  constexpr ten_powers() noexcept {
+    for (int i = 1; i < 20; ++i) value[i] = value[i - 1] * 10;
+  }
+};
+inline constexpr ten_powers powers_of_ten{};
+
+/// How many digits v has; 1 for 0.
+constexpr int digit_count(std::uint64_t v) noexcept {
+  const int guess = ((64 - std::countl_zero(v | 1)) * 1233) >> 12;  // or one more
+  return guess + (v == 0 || v >= powers_of_ten.value[guess] ? 1 : 0);
+}
+
+inline constexpr char pairs_of_digits[] =
+    "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
+    "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
+
+constexpr void write_pair(char* p, std::uint32_t v) noexcept {
+  p[0] = pairs_of_digits[2 * v];
+  p[1] = pairs_of_digits[2 * v + 1];
+}
+
+/// Writes the lowest `count` digits of v, which has no more, before `end`; returns where they begin.
+constexpr char* write_digits(char* end, std::uint64_t v, int count) noexcept {
+  for (; count >= 8; count -= 8) {
+    const std::uint32_t eight = static_cast<std::uint32_t>(v % 100'000'000), high = eight / 10'000,
+                        low = eight % 10'000;
+    v /= 100'000'000;
+    end -= 8;
+    write_pair(end, high / 100);
+    write_pair(end + 2, high % 100);
+    write_pair(end + 4, low / 100);
+    write_pair(end + 6, low % 100);
+  }
+  std::uint32_t rest = static_cast<std::uint32_t>(v);
+  for (; count >= 2; count -= 2) {
+    write_pair(end -= 2, rest % 100);
+    rest /= 100;
+  }
+  if (count == 1) *--end = static_cast<char>('0' + rest % 10);
+  return end;
+}
+
+IRG_INLINE std::uint64_t digit_bits_in_lanes(const char* p) noexcept {
+  using bytes = pack<std::uint8_t, native_bytes>;
+  // 70 more makes digits the largest numbers of 8 bits with a sign.
+  const auto more = lanes<bytes>::broadcast(70);
+  const auto largest = lanes<pack<std::int8_t, native_bytes>>::broadcast(117);
+  const auto bits = [&](int i) IRG_INLINE_LAMBDA {
+    return std::uint64_t{mask_bits(bits_as<std::int8_t>(lanes<bytes>::load_bytes(p + i) + more) > largest)} << i;
+  };
+  static_assert(native_bytes == 16 || native_bytes == 32);
+  if constexpr (native_bytes == 32) return bits(0) | bits(32);
+  return bits(0) | bits(16) | bits(32) | bits(48);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+[[nodiscard]] IRG_INLINE constexpr std::uint64_t digit_bits(const char* p) noexcept {
+  if (!std::is_constant_evaluated()) return detail::digit_bits_in_lanes(p);
+  std::uint64_t bits = 0;
+  for (int i = 0; i < 64; ++i) bits |= std::uint64_t{p[i] >= '0' && p[i] <= '9' ? 1u : 0u} << i;
+  return bits;
+}
+
+template <std::integral J>
+constexpr std::optional<char*> print_integer(char* first, char* last, J value) noexcept {
+  const bool negative = value < J{0};
+  const std::uint64_t bits = static_cast<std::uint64_t>(value), magnitude = negative ? 0 - bits : bits;
+  const int count = detail::digit_count(magnitude);
+  if (last - first < count + (negative ? 1 : 0)) return std::nullopt;
+  if (negative) *first++ = '-';
+  detail::write_digits(first + count, magnitude, count);
+  return first + count;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 /// needs   value finite; its sign is left out
 template <Floating T>
@@ -250,50 +338,6 @@ constexpr short_decimal shortest_digits(const binary_parts& v) noexcept {
   return without_zeros(shortest_decimal(v));
 }
 
-struct ten_powers {
-  std::uint64_t value[20]{1};
-  constexpr ten_powers() noexcept {
-    for (int i = 1; i < 20; ++i) value[i] = value[i - 1] * 10;
-  }
-};
-inline constexpr ten_powers powers_of_ten{};
-
-/// How many digits v has; 1 for 0.
-constexpr int digit_count(std::uint64_t v) noexcept {
-  const int guess = ((64 - std::countl_zero(v | 1)) * 1233) >> 12;  // or one more
-  return guess + (v == 0 || v >= powers_of_ten.value[guess] ? 1 : 0);
-}
-
-inline constexpr char pairs_of_digits[] =
-    "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
-    "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
-
-constexpr void write_pair(char* p, std::uint32_t v) noexcept {
-  p[0] = pairs_of_digits[2 * v];
-  p[1] = pairs_of_digits[2 * v + 1];
-}
-
-/// Writes the lowest `count` digits of v, which has no more, before `end`; returns where they begin.
-constexpr char* write_digits(char* end, std::uint64_t v, int count) noexcept {
-  for (; count >= 8; count -= 8) {
-    const std::uint32_t eight = static_cast<std::uint32_t>(v % 100'000'000), high = eight / 10'000,
-                        low = eight % 10'000;
-    v /= 100'000'000;
-    end -= 8;
-    write_pair(end, high / 100);
-    write_pair(end + 2, high % 100);
-    write_pair(end + 4, low / 100);
-    write_pair(end + 6, low % 100);
-  }
-  std::uint32_t rest = static_cast<std::uint32_t>(v);
-  for (; count >= 2; count -= 2) {
-    write_pair(end -= 2, rest % 100);
-    rest /= 100;
-  }
-  if (count == 1) *--end = static_cast<char>('0' + rest % 10);
-  return end;
-}
-
 /// A whole number of `count` digits and `d.exponent` places behind them, to its last digit, which the shortest decimal
 /// number leaves open beyond 2^53 (2^24).
 /// needs   d.exponent >= 0, and 10^d.exponent a 64-bit number
@@ -354,33 +398,25 @@ constexpr char* write_value(char* p, T value) noexcept {
   return parts.significand == 0 ? put("0") : write_shortest(p, parts);
 }
 
-IRG_INLINE std::uint64_t digit_bits_in_lanes(const char* p) noexcept {
-  using bytes = pack<std::uint8_t, native_bytes>;
-  // 70 more makes digits the largest numbers of 8 bits with a sign.
-  const auto more = lanes<bytes>::broadcast(70);
-  const auto largest = lanes<pack<std::int8_t, native_bytes>>::broadcast(117);
-  const auto bits = [&](int i) IRG_INLINE_LAMBDA {
-    return std::uint64_t{mask_bits(bits_as<std::int8_t>(lanes<bytes>::load_bytes(p + i) + more) > largest)} << i;
-  };
-  static_assert(native_bytes == 16 || native_bytes == 32);
-  if constexpr (native_bytes == 32) return bits(0) | bits(32);
-  return bits(0) | bits(16) | bits(32) | bits(48);
-}
+}  // namespace irg::detail::inline IRG_ABI
 
-}  // namespace IRG_ABI
-}  // namespace detail
+namespace irg::inline IRG_COMPILED_ABI {
 
-inline namespace IRG_ABI {
-
-[[nodiscard]] IRG_INLINE constexpr std::uint64_t digit_bits(const char* p) noexcept {
-  if (!std::is_constant_evaluated()) return detail::digit_bits_in_lanes(p);
-  std::uint64_t bits = 0;
-  for (int i = 0; i < 64; ++i) bits |= std::uint64_t{p[i] >= '0' && p[i] <= '9' ? 1u : 0u} << i;
-  return bits;
+template <Floating T>
+[[nodiscard]] IRG_API decimal_result<T> parse_decimal(const char* first, const char* last) noexcept {
+  const detail::decimal_text text = detail::scan_decimal(first, last);
+  if (text.digits_end == nullptr) return {T{0}, first, decimal_status::none};
+  using bits_type = detail::bits_of_decimal<T>;
+  const bits_type bits = std::bit_cast<bits_type>(unsigned_value<T>(text));
+  decimal_status status = decimal_status::ok;
+  if (bits == std::bit_cast<bits_type>(std::numeric_limits<T>::infinity())) status = decimal_status::overflow;
+  if (bits == 0 && text.mantissa != 0) status = decimal_status::underflow;
+  const bits_type sign = static_cast<bits_type>(text.negative ? 1 : 0) << (8 * sizeof(T) - 1);
+  return {std::bit_cast<T>(bits | sign), text.end, status};
 }
 
 template <Floating T>
-constexpr std::optional<char*> print_decimal(char* first, char* last, T value) noexcept {
+IRG_API std::optional<char*> print_decimal(char* first, char* last, T value) noexcept {
   if (last - first >= longest_decimal<T>) return detail::write_value(first, value);
   char text[longest_decimal<T>] = {};
   char* const end = detail::write_value(text, value);
@@ -389,16 +425,5 @@ constexpr std::optional<char*> print_decimal(char* first, char* last, T value) n
   return first;
 }
 
-template <std::integral J>
-constexpr std::optional<char*> print_integer(char* first, char* last, J value) noexcept {
-  const bool negative = value < J{0};
-  const std::uint64_t bits = static_cast<std::uint64_t>(value), magnitude = negative ? 0 - bits : bits;
-  const int count = detail::digit_count(magnitude);
-  if (last - first < count + (negative ? 1 : 0)) return std::nullopt;
-  if (negative) *first++ = '-';
-  detail::write_digits(first + count, magnitude, count);
-  return first + count;
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

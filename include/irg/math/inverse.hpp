@@ -59,6 +59,18 @@ template <Floating T, int N>
 
 }  // namespace irg::inline IRG_ABI
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+// `inverse` where cofactors will not do, and inverse_accurate.
+template <Floating T, int N>
+  requires(N >= 2 && N <= 4)
+IRG_API std::optional<mat<T, N, N>> hard_inverse(const mat<T, N, N>& a) noexcept;
+template <Floating T, int N>
+  requires(N >= 2 && N <= 4)
+IRG_API std::optional<mat<T, N, N>> accurate_inverse(const mat<T, N, N>& a) noexcept;
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
 namespace irg::detail::inline IRG_ABI {
 
 // The inverse of a 4x4 matrix by minors: e(i, j) = (p(j) * m(j) - q(j) * n(j)) + s(j) * o(j), three entries of row j^1
@@ -332,6 +344,25 @@ IRG_NOINLINE constexpr std::optional<mat<T, N, N>> inverse_by_elimination(const 
   return std::nullopt;
 }
 
+template <Floating T, int N>
+constexpr std::optional<mat<T, N, N>> find_accurate_inverse(const mat<T, N, N>& a) noexcept {
+  const auto wide = generate_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
+  if (!entries_finite<double>(wide, N, N)) return std::nullopt;
+  const auto s = factor_scaled(wide, scaling::by_largest);
+  mat<T, N, N> result{};
+  if (!refined_inverse(s, wide, result)) {
+    if (!s.sizes.may_hide_regular()) return std::nullopt;
+    if constexpr (N <= 4) {
+      const double part = smallest_condition(N);
+      if (!put_exact_inverse(wide, all_of<N * N>, part, result)) return std::nullopt;
+    } else if (!refined_inverse(factor_scaled(wide, scaling::by_means), wide, result)) {
+      return std::nullopt;
+    }
+  }
+  if (!entries_finite<T>(result, N, N)) return std::nullopt;
+  return result;
+}
+
 }  // namespace irg::detail::inline IRG_ABI
 
 namespace irg::inline IRG_ABI {
@@ -347,27 +378,35 @@ template <Real T, int N>
   if constexpr (Floating<T> && N >= 2 && N <= 4) {
     std::optional<mat<T, N, N>> result(std::in_place);
     if (detail::inverse_is_easy(a, *result)) return result;
+    return detail::hard_inverse(a);
+  } else {
+    return detail::inverse_by_elimination(a);
   }
-  return detail::inverse_by_elimination(a);
 }
 
 template <Floating T, int N>
 [[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
-  const auto wide = generate_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
-  if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
-  const auto s = detail::factor_scaled(wide, detail::scaling::by_largest);
-  mat<T, N, N> result{};
-  if (!detail::refined_inverse(s, wide, result)) {
-    if (!s.sizes.may_hide_regular()) return std::nullopt;
-    if constexpr (N <= 4) {
-      const double part = detail::smallest_condition(N);
-      if (!detail::put_exact_inverse(wide, detail::all_of<N * N>, part, result)) return std::nullopt;
-    } else if (!detail::refined_inverse(detail::factor_scaled(wide, detail::scaling::by_means), wide, result)) {
-      return std::nullopt;
-    }
-  }
-  if (!detail::entries_finite<T>(result, N, N)) return std::nullopt;
-  return result;
+  if constexpr (N >= 2 && N <= 4)
+    return detail::accurate_inverse(a);
+  else
+    return detail::find_accurate_inverse(a);
 }
 
 }  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int N>
+  requires(N >= 2 && N <= 4)
+IRG_API std::optional<mat<T, N, N>> hard_inverse(const mat<T, N, N>& a) noexcept {
+  return inverse_by_elimination(a);
+}
+template <Floating T, int N>
+  requires(N >= 2 && N <= 4)
+IRG_API std::optional<mat<T, N, N>> accurate_inverse(const mat<T, N, N>& a) noexcept {
+  return find_accurate_inverse(a);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

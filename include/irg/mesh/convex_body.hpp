@@ -14,6 +14,7 @@
 #include <irg/geometry/point_on_triangle.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/mesh/face_normal.hpp>
+#include <irg/mesh/mesh.hpp>
 
 namespace irg::inline IRG_ABI {
 
@@ -38,6 +39,15 @@ template <SpaceMesh M>
 [[nodiscard]] constexpr bool is_convex_body(const M& m);
 
 }  // namespace irg::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API bool is_closed_mesh(const mesh<T>& m);
+template <Floating T>
+IRG_API bool is_convex_mesh(const mesh<T>& m);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -203,12 +213,33 @@ namespace irg::inline IRG_ABI {
 
 template <Mesh M>
 [[nodiscard]] constexpr bool is_closed(const M& m) {
-  return detail::are_paired(detail::sorted_sides(m));
+  if constexpr (detail::OwnMesh<M>)
+    return detail::is_closed_mesh(m);
+  else
+    return detail::are_paired(detail::sorted_sides(m));
 }
 
 template <SpaceMesh M>
 [[nodiscard]] constexpr bool is_convex_body(const M& m) {
-  return detail::convexity_check<M>(m)();
+  if constexpr (detail::OwnMesh<M>)
+    return detail::is_convex_mesh(m);
+  else
+    return detail::convexity_check<M>(m)();
 }
 
 }  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API bool is_closed_mesh(const mesh<T>& m) {
+  return are_paired(sorted_sides(m));
+}
+template <Floating T>
+IRG_API bool is_convex_mesh(const mesh<T>& m) {
+  return convexity_check<mesh<T>>(m)();
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

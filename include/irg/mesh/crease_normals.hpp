@@ -3,17 +3,21 @@
 // edges that are not creases; the corners of a group share one normal.
 #pragma once
 
+#include <irg/math/angle_between.hpp>
+#include <irg/math/trigonometry.hpp>  // radians()
+#include <irg/mesh/mesh.hpp>
+#include <irg/mesh/normals.hpp>
+#if IRG_BODIES
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include <irg/math/angle_between.hpp>
 #include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/edge_ends.hpp>
-#include <irg/mesh/normals.hpp>
+#endif
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 /// Gives the corners of a mesh that have no normal one: the normal of the faces around the corner's position that are
 /// connected to its own face over smooth edges, weighted and summed as vertex_normals does. An edge is smooth where
@@ -27,7 +31,15 @@ namespace irg::inline IRG_ABI {
 /// cost    n log n in the corners around a position; allocates some 120 bytes a corner, nothing where all have normals
 /// source  VRML 97, 4.6.3.5 (the crease angle)
 template <Floating T>
-constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight = normal_weight::angle) {
+IRG_API void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight = normal_weight::angle);
+
+}  // namespace irg::inline IRG_COMPILED_ABI
+
+#if IRG_BODIES
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight) {
   if (std::ranges::all_of(m.corners, [](const mesh_corner& c) { return c.normal != no_index; })) return;
   const std::size_t count = m.corners.size();
   std::vector<vec<double, 3>> unit(count, vec<double, 3>{}), weighted(count, vec<double, 3>{});
@@ -65,4 +77,5 @@ constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight 
     if (m.corners[c].normal == no_index) m.corners[c].normal = normal_of[groups.of(c)];
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/mesh/half_edge_mesh.hpp>
+#if IRG_BODIES
 #include <irg/geometry/triangulate_monotone.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/mesh/face_normal.hpp>
-#include <irg/mesh/half_edge_mesh.hpp>
+#endif
 
 namespace irg {
 
@@ -29,7 +31,7 @@ struct half_edge_counts {
   bool operator==(const half_edge_counts&) const = default;
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// The indexed mesh of a boundary representation.
 /// shape   faces in the order of their numbers (of their parts, where there are any), each from its loop's first
@@ -40,7 +42,11 @@ inline namespace IRG_ABI {
 /// exact   positions and attributes are copied; rings are cut as triangulate_monotone does
 /// cost    linear, but for the faces with rings, which cost as triangulate_monotone
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> to_mesh(const half_edge_mesh<T>& b);
+[[nodiscard]] IRG_API mesh<T> to_mesh(const half_edge_mesh<T>& b);
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
 
 /// The shells of a boundary representation: faces that are joined over edges, and over the rings of faces.
 /// shape   numbered from 0 by their lowest face
@@ -102,7 +108,15 @@ template <Scalar T>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_ABI {
+
+IRG_RENAMED(from_half_edges, to_mesh)
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // The triangles of a face with rings, as half-edges that leave their corners.
 template <Scalar T>
@@ -150,12 +164,12 @@ constexpr void append_face(mesh<T>& m, const half_edge_mesh<T>& b, std::uint32_t
     m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> to_mesh(const half_edge_mesh<T>& b) {
+[[nodiscard]] IRG_API mesh<T> to_mesh(const half_edge_mesh<T>& b) {
   mesh<T> m;
   m.normals = b.normals;
   m.texcoords = b.texcoords;
@@ -192,7 +206,5 @@ template <Floating T>
   return m;
 }
 
-IRG_RENAMED(from_half_edges, to_mesh)
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

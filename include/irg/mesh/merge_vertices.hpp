@@ -3,16 +3,19 @@
 // formats want: one list of vertices, and one index for each corner.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
-#include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/core/vocabulary.hpp>
 #include <irg/mesh/triangulate.hpp>
+#if IRG_BODIES
+#include <algorithm>
+#include <tuple>
+
+#include <irg/mesh/detail/corner_groups.hpp>
+#endif
 
 namespace irg {
 
@@ -25,7 +28,7 @@ struct merged_vertices {
   bool operator==(const merged_vertices&) const = default;
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// The vertices of a mesh, merged where position, normal and texture coordinate are equal, and its triangles.
 /// shape   vertices in the order in which corners use them first; triangles as triangulate makes them of the faces
@@ -35,7 +38,35 @@ inline namespace IRG_ABI {
 /// exact   always; no two vertices of the result are equal
 /// cost    O(n log n), whatever the mesh
 template <Floating T>
-[[nodiscard]] constexpr merged_vertices merge_vertices(const mesh<T>& m) {
+[[nodiscard]] IRG_API merged_vertices merge_vertices(const mesh<T>& m);
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+/// The triangles of a mesh as indices of its positions, in the order of its faces.
+/// needs   a mesh in which validate() finds no defect
+/// exact   as triangulate
+/// cost    as triangulate
+template <Scalar T>
+[[nodiscard]] constexpr std::vector<triangle_indices> list_triangles(const mesh<T>& m) {
+  const mesh<T> triangles = triangulated(m);
+  std::vector<triangle_indices> list;
+  list.reserve(triangles.face_count());
+  for (std::size_t i = 0; i + 2 < triangles.corners.size(); i += 3)
+    list.push_back(
+        {{triangles.corners[i].position, triangles.corners[i + 1].position, triangles.corners[i + 2].position}});
+  return list;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+[[nodiscard]] IRG_API merged_vertices merge_vertices(const mesh<T>& m) {
   const mesh<T> triangles = triangulated(m);
   const auto positions = detail::first_equal_vectors<T, 3>(m.positions),
              normals = detail::first_equal_vectors<T, 3>(m.normals),
@@ -71,20 +102,5 @@ template <Floating T>
   return out;
 }
 
-/// The triangles of a mesh as indices of its positions, in the order of its faces.
-/// needs   a mesh in which validate() finds no defect
-/// exact   as triangulate
-/// cost    as triangulate
-template <Scalar T>
-[[nodiscard]] constexpr std::vector<triangle_indices> list_triangles(const mesh<T>& m) {
-  const mesh<T> triangles = triangulated(m);
-  std::vector<triangle_indices> list;
-  list.reserve(triangles.face_count());
-  for (std::size_t i = 0; i + 2 < triangles.corners.size(); i += 3)
-    list.push_back(
-        {{triangles.corners[i].position, triangles.corners[i + 1].position, triangles.corners[i + 2].position}});
-  return list;
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

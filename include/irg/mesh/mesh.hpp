@@ -71,6 +71,19 @@ struct mesh_traits<mesh<T>> {
   }
 };
 
+namespace detail {
+
+template <class M>
+inline constexpr bool is_own_mesh = false;
+template <Floating T>
+inline constexpr bool is_own_mesh<mesh<T>> = true;
+
+/// irg's own mesh of floats or doubles, which irg::compiled takes.
+template <class M>
+concept OwnMesh = is_own_mesh<M>;
+
+}  // namespace detail
+
 inline namespace IRG_ABI {
 
 /// Appends a face whose corners name positions only.

@@ -3,15 +3,18 @@
 // sentence. validate() comes first and asks whether the mesh may be looked at at all.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
+#include <algorithm>
+
 #include <irg/geometry/point_on_triangle.hpp>
 #include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/edge_ends.hpp>
-#include <irg/mesh/mesh.hpp>
+#endif
 
 namespace irg {
 
@@ -94,7 +97,23 @@ inline namespace IRG_ABI {
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
+
+/// Every fault of a surface: none where it is closed, oriented and a manifold, of faces with area.
+/// shape   faults of positions, of faces, of edges, of vertices, each by their numbers
+/// needs   a mesh in which validate() finds no defect
+/// gives   where faces run apart, orient_faces() turns them; what is open or shared by many has to be mended by hand
+/// exact   always
+/// cost    O(n log n)
+template <Floating T>
+[[nodiscard]] IRG_API std::vector<mesh_fault> list_faults(const mesh<T>& m);
+
+}  // namespace IRG_COMPILED_ABI
+
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 template <Floating T>
 struct fault_finder {
@@ -165,22 +184,16 @@ struct fault_finder {
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
-/// Every fault of a surface: none where it is closed, oriented and a manifold, of faces with area.
-/// shape   faults of positions, of faces, of edges, of vertices, each by their numbers
-/// needs   a mesh in which validate() finds no defect
-/// gives   where faces run apart, orient_faces() turns them; what is open or shared by many has to be mended by hand
-/// exact   always
-/// cost    O(n log n)
 template <Floating T>
-[[nodiscard]] constexpr std::vector<mesh_fault> list_faults(const mesh<T>& m) {
+[[nodiscard]] IRG_API std::vector<mesh_fault> list_faults(const mesh<T>& m) {
   std::vector<mesh_fault> found;
   detail::fault_finder<T>{m, found}.find();
   return found;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -53,6 +53,13 @@ constexpr void assign_vertex_normals(mesh<T>& m, normal_weight weight = normal_w
 
 }  // namespace IRG_ABI
 
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API std::vector<vec<T, 3>> normals_at_positions(const mesh<T>& m, normal_weight weight);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
 namespace detail::inline IRG_ABI {
 
 // Unit vectors by the block, in loops that compilers turn into lanes: bit for bit what newell_sum of a triangle's edges
@@ -196,33 +203,52 @@ constexpr void for_weighted_corners(const M& m, std::size_t face, normal_weight 
   }
 }
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
 template <SpaceMesh M>
-[[nodiscard]] constexpr std::vector<mesh_normal<M>> vertex_normals(const M& m, normal_weight weight) {
+constexpr std::vector<mesh_normal<M>> sum_vertex_normals(const M& m, normal_weight weight) {
   using V = mesh_normal<M>;
   std::vector<V> normals(mesh_traits<M>::vertex_count(m), V{});
   const auto add = [&](std::size_t f, std::size_t k, const vec<double, 3>& n) IRG_INLINE_LAMBDA {
     normals[mesh_traits<M>::face_vertex(m, f, k)] +=
         generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(n[i]); });
   };
-  const double scale = weight == normal_weight::area ? detail::area_scale(m) : 1;
+  const double scale = weight == normal_weight::area ? area_scale(m) : 1;
   const auto add_face = [&](std::size_t f) {
-    detail::for_weighted_corners(m, f, weight, scale, [&](std::size_t k, const vec<double, 3>& unit, double share) {
+    for_weighted_corners(m, f, weight, scale, [&](std::size_t k, const vec<double, 3>& unit, double share) {
       add(f, k, generate_coordinates<vec<double, 3>>([&](int i) { return product(unit[i], share); }));
     });
   };
   std::size_t face = 0;
-  if (detail::takes_blocks() && weight == normal_weight::average) {
-    detail::unit_block block;
-    while (face < mesh_traits<M>::face_count(m)) face = detail::for_block_of_triangles(m, face, block, add, add_face);
+  if (takes_blocks() && weight == normal_weight::average) {
+    unit_block block;
+    while (face < mesh_traits<M>::face_count(m)) face = for_block_of_triangles(m, face, block, add, add_face);
   }
   for (; face < mesh_traits<M>::face_count(m); ++face) add_face(face);
-  detail::normalize_all(normals);
+  normalize_all(normals);
   return normals;
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+template <SpaceMesh M>
+[[nodiscard]] constexpr std::vector<mesh_normal<M>> vertex_normals(const M& m, normal_weight weight) {
+  if constexpr (detail::OwnMesh<M>)
+    return detail::normals_at_positions(m, weight);
+  else
+    return detail::sum_vertex_normals(m, weight);
 }
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API std::vector<vec<T, 3>> normals_at_positions(const mesh<T>& m, normal_weight weight) {
+  return sum_vertex_normals(m, weight);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -29,14 +29,19 @@ constexpr void turn_face(mesh<T>& m, std::size_t f) {
   std::reverse(first + 1, first + static_cast<std::ptrdiff_t>(m.face_size(f)));
 }
 
-/// Turns faces until those that share an edge run along it in opposite directions.
-/// shape   in each piece that edges of two faces hold together, the lowest face stays as it is; normals of corners stay
-/// gives   edges of three or more faces join nothing. solid's orient_outward() then tells in from out
-/// needs   a mesh in which validate() finds no defect
-/// exact   always
-/// cost    O(n log n); allocates
+}  // namespace IRG_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API orient_status orient_mesh(mesh<T>& m);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+namespace detail::inline IRG_ABI {
+
 template <Scalar T>
-constexpr orient_status orient_faces(mesh<T>& m) {
+constexpr orient_status turn_faces_alike(mesh<T>& m) {
   struct neighbour {
     std::uint32_t face;
     bool runs_alike;
@@ -60,7 +65,7 @@ constexpr orient_status orient_faces(mesh<T>& m) {
   neighbours.assign(start.back(), neighbour{});
   each_pair([&](std::uint32_t a, std::uint32_t b, bool alike) { neighbours[start[a]++] = {b, alike}; });
 
-  enum : std::uint8_t { unseen, kept, turned };
+  enum : std::uint8_t { unseen, kept, reversed };
   std::vector<std::uint8_t> state(m.face_count(), unseen);
   std::vector<std::uint32_t> piece;
   orient_status status = orient_status::ok;
@@ -72,22 +77,51 @@ constexpr orient_status orient_faces(mesh<T>& m) {
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const std::uint32_t at = piece[i];
       for (std::size_t k = at == 0 ? 0 : start[at - 1]; k < start[at]; ++k) {  // start tells the ends now
-        const bool turn = (state[at] == turned) != neighbours[k].runs_alike;
+        const bool turn = (state[at] == reversed) != neighbours[k].runs_alike;
         const std::uint32_t beside = neighbours[k].face;
         if (state[beside] == unseen) {
-          state[beside] = turn ? turned : kept;
+          state[beside] = turn ? reversed : kept;
           piece.push_back(beside);
-        } else if (state[beside] != (turn ? turned : kept)) {
+        } else if (state[beside] != (turn ? reversed : kept)) {
           two_sided = false;
         }
       }
     }
     if (!two_sided) status = orient_status::one_sided;
     for (const std::uint32_t at : piece)
-      if (two_sided && state[at] == turned) turn_face(m, at);
+      if (two_sided && state[at] == reversed) turn_face(m, at);
   }
   return status;
 }
 
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+/// Turns faces until those that share an edge run along it in opposite directions.
+/// shape   in each piece that edges of two faces hold together, the lowest face stays as it is; normals of corners stay
+/// gives   edges of three or more faces join nothing. solid's orient_outward() then tells in from out
+/// needs   a mesh in which validate() finds no defect
+/// exact   always
+/// cost    O(n log n); allocates
+template <Scalar T>
+constexpr orient_status orient_faces(mesh<T>& m) {
+  if constexpr (Floating<T>)
+    return detail::orient_mesh(m);
+  else
+    return detail::turn_faces_alike(m);
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API orient_status orient_mesh(mesh<T>& m) {
+  return turn_faces_alike(m);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

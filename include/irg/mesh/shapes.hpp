@@ -11,12 +11,14 @@
 #include <irg/core/ring.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/length.hpp>
-#include <irg/math/sqrt.hpp>
-#include <irg/mesh/detail/rings.hpp>
 #include <irg/mesh/half_edge_mesh.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/mesh/to_half_edges.hpp>
 #include <irg/mesh/teapot.hpp>
+#if IRG_BODIES
+#include <irg/math/sqrt.hpp>
+#include <irg/mesh/detail/rings.hpp>
+#endif
 
 namespace irg {
 
@@ -67,30 +69,6 @@ constexpr void add_central_normals(mesh<T>& m) {
   }
 }
 
-// The vertices of a profile's point all round: one where it lies on the axis.
-template <Floating T>
-constexpr std::vector<std::uint32_t> add_turned_point(mesh<T>& m, T radius, T height, int slices) {
-  std::vector<std::uint32_t> ring;
-  for (int i = 0; i < slices; ++i) {
-    if (i == 0 || radius != T(0)) {
-      const vec<double, 2> across = circle_point(i, slices);
-      m.positions.push_back(
-          {converted<T>(product(widened(radius), across.x)), height, converted<T>(product(widened(radius), across.y))});
-    }
-    ring.push_back(static_cast<std::uint32_t>(m.positions.size() - 1));
-  }
-  return ring;
-}
-
-// A face without the corners that it has twice in a row.
-template <Floating T>
-constexpr void add_collapsed_face(mesh<T>& m, const std::vector<std::uint32_t>& corners) {
-  std::vector<std::uint32_t> kept;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (corners[i] != corners[i + 1 < corners.size() ? i + 1 : 0]) kept.push_back(corners[i]);
-  if (kept.size() > 2) add_face(m, kept);
-}
-
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
@@ -110,18 +88,19 @@ template <Scalar T>
   return m;
 }
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// The regular tetrahedron in the unit sphere, on four corners of a cube.
 /// shape   4 vertices, 4 triangles, counter-clockwise from outside, 4 normals
 /// exact   vertices within 2u of the sphere
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_tetrahedron() {
-  const T i = 1 / sqrt_3<T>;
-  mesh<T> m;
-  m.positions = {{i, i, i}, {i, -i, -i}, {-i, i, -i}, {-i, -i, i}};
-  detail::add_triangles(m, "123 142 134 243", 1);
-  detail::add_central_normals(m);
-  return m;
-}
+[[nodiscard]] IRG_API mesh<T> shape_tetrahedron();
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
 
 /// The regular octahedron in the unit sphere, its vertices on the axes.
 /// shape   6 vertices, 8 triangles, counter-clockwise from outside, 8 normals: of whole numbers (1, 1, 1) and the like
@@ -136,44 +115,21 @@ template <Scalar T>
   return m;
 }
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// The regular icosahedron in the unit sphere, its vertices on three golden rectangles in the coordinate planes.
 /// shape   12 vertices, 20 triangles, counter-clockwise from outside, 20 normals
 /// exact   vertices within 3u of the sphere
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_icosahedron() {
-  const double golden = golden_ratio<double>, length = sqrt(1 + product(golden, golden));
-  const T o = 0, i = converted<T>(1 / length), g = converted<T>(golden / length);
-  mesh<T> m;
-  m.positions = {{-i, g, o},  {i, g, o},  {-i, -g, o}, {i, -g, o}, {o, -i, g},  {o, i, g},
-                 {o, -i, -g}, {o, i, -g}, {g, o, -i},  {g, o, i},  {-g, o, -i}, {-g, o, i}};
-  detail::add_triangles(m, "1C6 162 128 18B 1BC 26A 6C5 CB3 B87 829 4A5 453 437 479 49A 5A6 35C 73B 978 A92", 1);
-  detail::add_central_normals(m);
-  return m;
-}
+[[nodiscard]] IRG_API mesh<T> shape_icosahedron();
 
 /// The square [-1, 1] x [-1, 1] of the plane y = 0, facing up.
 /// shape   (columns + 1)*(rows + 1) vertices along x, then z; 2*columns*rows triangles; one normal, (0, 1, 0)
 /// exact   coordinates rounded once; mirror images in the coordinate planes are exact
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_grid(const grid_options& options = {}) {
-  const int columns = clamped(options.columns, 1, 4096), rows = clamped(options.rows, 1, 4096);
-  const auto place = [](int k, int n) { return static_cast<T>(2 * k - n) / static_cast<T>(n); };
-  mesh<T> m;
-  for (int j = 0; j <= rows; ++j)
-    for (int i = 0; i <= columns; ++i) m.positions.push_back({place(i, columns), T(0), place(j, rows)});
-  m.normals = {{T(0), T(1), T(0)}};
-  const auto corner = [&](int i, int j) {
-    m.corners.push_back({static_cast<std::uint32_t>(j * (columns + 1) + i), 0, no_index});
-  };
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      corner(i, j), corner(i, j + 1), corner(i + 1, j + 1);
-      m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
-      corner(i, j), corner(i + 1, j + 1), corner(i + 1, j);
-      m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
-    }
-  return m;
-}
+[[nodiscard]] IRG_API mesh<T> shape_grid(const grid_options& options = {});
 
 /// The sphere of radius 1 about the origin, poles at y = 1 and y = -1.
 /// shape   slices*(stacks - 1) + 2 vertices, 2*slices*(stacks - 1) triangles, closed, counter-clockwise from outside;
@@ -181,16 +137,7 @@ template <Floating T>
 /// exact   vertices lie within 3u of the sphere (u = 2^-53, float 2^-24); mirror images in the coordinate planes are
 ///         exact where slices is even (x, z by 4) and stacks any number
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_sphere(const sphere_options& options = {}) {
-  const int slices = clamped(options.slices, 3, 4096), stacks = clamped(options.stacks, 2, 4096);
-  mesh<T> m;
-  detail::add_rings(m, slices, stacks, detail::ring_end::pole, detail::ring_end::pole, [&](int i, int j) {
-    const vec<double, 2> across = detail::circle_point(i, slices), down = detail::circle_point(j, 2 * stacks);
-    const vec<T, 3> n{converted<T>(down.y * across.x), converted<T>(down.x), converted<T>(down.y * across.y)};
-    return detail::surface_vertex<T>{to_point(n), n};
-  });
-  return m;
-}
+[[nodiscard]] IRG_API mesh<T> shape_sphere(const sphere_options& options = {});
 
 /// The torus about the y axis, its tube's centre line in the plane y = 0.
 /// shape   major_segments*minor_segments vertices and twice as many triangles, closed, counter-clockwise from outside;
@@ -198,21 +145,7 @@ template <Floating T>
 /// needs   minor_radius > 0; above major_radius the surface passes through itself
 /// exact   positions within 4u*(major_radius + minor_radius), normals within 3u of length 1
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
-  const int major = clamped(options.major_segments, 3, 4096);
-  const int minor = clamped(options.minor_segments, 3, 4096);
-  const double ring_radius = widened(options.major_radius), tube_radius = widened(options.minor_radius);
-  mesh<T> m;
-  detail::add_rings(m, major, minor, detail::ring_end::closed, detail::ring_end::closed, [&](int i, int j) {
-    const vec<double, 2> across = detail::circle_point(i, major), tube = detail::circle_point(j, minor);
-    const double radius = ring_radius + product(tube_radius, tube.x);
-    return detail::surface_vertex<T>{
-        {converted<T>(radius * across.x), converted<T>(0 - product(tube_radius, tube.y)),
-         converted<T>(radius * across.y)},
-        {converted<T>(tube.x * across.x), converted<T>(0 - tube.y), converted<T>(tube.x * across.y)}};
-  });
-  return m;
-}
+[[nodiscard]] IRG_API mesh<T> shape_torus(const torus_options<T>& options = {});
 
 /// The body that a profile sweeps when it is turned about the y axis.
 /// shape   the profile's points are (radius, height), from the lower end to the upper one, the body to its left. Sides
@@ -221,22 +154,11 @@ template <Floating T>
 /// gives   a closed surface, counter-clockwise from outside; slices are taken as 3 if less, as 4096 if more
 /// exact   positions within 3u of the radius; lids are plane, sides nearly
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32) {
-  slices = clamped(slices, 3, 4096);
-  mesh<T> m;
-  std::vector<std::uint32_t> lower, upper;
-  for (std::size_t k = 0; k < profile.size(); ++k) {
-    upper = detail::add_turned_point(m, profile[k].x, profile[k].y, slices);
-    if (k == 0) detail::add_collapsed_face(m, upper);
-    for (std::size_t i = 0, n = upper.size(); k > 0 && i < n; ++i) {
-      const std::size_t next = i + 1 < n ? i + 1 : 0;
-      detail::add_collapsed_face(m, {lower[i], upper[i], upper[next], lower[next]});
-    }
-    lower = upper;
-  }
-  detail::add_collapsed_face(m, {lower.rbegin(), lower.rend()});
-  return m;
-}
+[[nodiscard]] IRG_API mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32);
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
 
 /// The prism over a polygon: from z = 0 to z = height.
 /// shape   the polygon below, turned, the polygon above, then a side of four corners for each of its edges
@@ -266,23 +188,161 @@ template <PolygonRing R>
   return m;
 }
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// The cylinder of radius 1 about the y axis, from y = -1 to y = 1; of few slices the prism.
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_cylinder(int slices = 32) {
-  return shape_revolution<T>({{T(1), T(-1)}, {T(1), T(1)}}, slices);
-}
+[[nodiscard]] IRG_API mesh<T> shape_cylinder(int slices = 32);
 
 /// The cone of radius 1 about the y axis, from y = -1 to its tip at y = 1; of few slices the pyramid.
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_cone(int slices = 32) {
-  return shape_revolution<T>({{T(1), T(-1)}, {T(0), T(1)}}, slices);
-}
+[[nodiscard]] IRG_API mesh<T> shape_cone(int slices = 32);
 
 /// The dodecahedron in the unit sphere: a corner over each face of the icosahedron, a face round each of its corners.
 /// shape   20 vertices, 12 faces of five corners, closed, counter-clockwise from outside
 /// exact   vertices within 4u of the sphere; faces are plane but for that
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_dodecahedron() {
+[[nodiscard]] IRG_API mesh<T> shape_dodecahedron();
+
+}  // namespace IRG_COMPILED_ABI
+
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
+// The vertices of a profile's point all round: one where it lies on the axis.
+template <Floating T>
+constexpr std::vector<std::uint32_t> add_turned_point(mesh<T>& m, T radius, T height, int slices) {
+  std::vector<std::uint32_t> ring;
+  for (int i = 0; i < slices; ++i) {
+    if (i == 0 || radius != T(0)) {
+      const vec<double, 2> across = circle_point(i, slices);
+      m.positions.push_back(
+          {converted<T>(product(widened(radius), across.x)), height, converted<T>(product(widened(radius), across.y))});
+    }
+    ring.push_back(static_cast<std::uint32_t>(m.positions.size() - 1));
+  }
+  return ring;
+}
+
+// A face without the corners that it has twice in a row.
+template <Floating T>
+constexpr void add_collapsed_face(mesh<T>& m, const std::vector<std::uint32_t>& corners) {
+  std::vector<std::uint32_t> kept;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (corners[i] != corners[i + 1 < corners.size() ? i + 1 : 0]) kept.push_back(corners[i]);
+  if (kept.size() > 2) add_face(m, kept);
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_tetrahedron() {
+  const T i = 1 / sqrt_3<T>;
+  mesh<T> m;
+  m.positions = {{i, i, i}, {i, -i, -i}, {-i, i, -i}, {-i, -i, i}};
+  detail::add_triangles(m, "123 142 134 243", 1);
+  detail::add_central_normals(m);
+  return m;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_icosahedron() {
+  const double golden = golden_ratio<double>, length = sqrt(1 + product(golden, golden));
+  const T o = 0, i = converted<T>(1 / length), g = converted<T>(golden / length);
+  mesh<T> m;
+  m.positions = {{-i, g, o},  {i, g, o},  {-i, -g, o}, {i, -g, o}, {o, -i, g},  {o, i, g},
+                 {o, -i, -g}, {o, i, -g}, {g, o, -i},  {g, o, i},  {-g, o, -i}, {-g, o, i}};
+  detail::add_triangles(m, "1C6 162 128 18B 1BC 26A 6C5 CB3 B87 829 4A5 453 437 479 49A 5A6 35C 73B 978 A92", 1);
+  detail::add_central_normals(m);
+  return m;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_grid(const grid_options& options) {
+  const int columns = clamped(options.columns, 1, 4096), rows = clamped(options.rows, 1, 4096);
+  const auto place = [](int k, int n) { return static_cast<T>(2 * k - n) / static_cast<T>(n); };
+  mesh<T> m;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= columns; ++i) m.positions.push_back({place(i, columns), T(0), place(j, rows)});
+  m.normals = {{T(0), T(1), T(0)}};
+  const auto corner = [&](int i, int j) {
+    m.corners.push_back({static_cast<std::uint32_t>(j * (columns + 1) + i), 0, no_index});
+  };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      corner(i, j), corner(i, j + 1), corner(i + 1, j + 1);
+      m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+      corner(i, j), corner(i + 1, j + 1), corner(i + 1, j);
+      m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+    }
+  return m;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_sphere(const sphere_options& options) {
+  const int slices = clamped(options.slices, 3, 4096), stacks = clamped(options.stacks, 2, 4096);
+  mesh<T> m;
+  detail::add_rings(m, slices, stacks, detail::ring_end::pole, detail::ring_end::pole, [&](int i, int j) {
+    const vec<double, 2> across = detail::circle_point(i, slices), down = detail::circle_point(j, 2 * stacks);
+    const vec<T, 3> n{converted<T>(down.y * across.x), converted<T>(down.x), converted<T>(down.y * across.y)};
+    return detail::surface_vertex<T>{to_point(n), n};
+  });
+  return m;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_torus(const torus_options<T>& options) {
+  const int major = clamped(options.major_segments, 3, 4096);
+  const int minor = clamped(options.minor_segments, 3, 4096);
+  const double ring_radius = widened(options.major_radius), tube_radius = widened(options.minor_radius);
+  mesh<T> m;
+  detail::add_rings(m, major, minor, detail::ring_end::closed, detail::ring_end::closed, [&](int i, int j) {
+    const vec<double, 2> across = detail::circle_point(i, major), tube = detail::circle_point(j, minor);
+    const double radius = ring_radius + product(tube_radius, tube.x);
+    return detail::surface_vertex<T>{
+        {converted<T>(radius * across.x), converted<T>(0 - product(tube_radius, tube.y)),
+         converted<T>(radius * across.y)},
+        {converted<T>(tube.x * across.x), converted<T>(0 - tube.y), converted<T>(tube.x * across.y)}};
+  });
+  return m;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices) {
+  slices = clamped(slices, 3, 4096);
+  mesh<T> m;
+  std::vector<std::uint32_t> lower, upper;
+  for (std::size_t k = 0; k < profile.size(); ++k) {
+    upper = detail::add_turned_point(m, profile[k].x, profile[k].y, slices);
+    if (k == 0) detail::add_collapsed_face(m, upper);
+    for (std::size_t i = 0, n = upper.size(); k > 0 && i < n; ++i) {
+      const std::size_t next = i + 1 < n ? i + 1 : 0;
+      detail::add_collapsed_face(m, {lower[i], upper[i], upper[next], lower[next]});
+    }
+    lower = upper;
+  }
+  detail::add_collapsed_face(m, {lower.rbegin(), lower.rend()});
+  return m;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_cylinder(int slices) {
+  return shape_revolution<T>({{T(1), T(-1)}, {T(1), T(1)}}, slices);
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_cone(int slices) {
+  return shape_revolution<T>({{T(1), T(-1)}, {T(0), T(1)}}, slices);
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API mesh<T> shape_dodecahedron() {
   const mesh<T> dual = shape_icosahedron<T>();
   const half_edge_mesh<T> edges = to_half_edges(dual).value;
   mesh<T> m;
@@ -299,5 +359,5 @@ template <Floating T>
   return m;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -12,8 +12,10 @@
 #include <cstddef>
 
 #include <irg/curve/bezier_surface.hpp>
-#include <irg/mesh/detail/rings.hpp>
 #include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
+#include <irg/mesh/detail/rings.hpp>
+#endif
 
 namespace irg {
 
@@ -38,6 +40,10 @@ inline namespace IRG_ABI {
 template <Real T>
 [[nodiscard]] constexpr std::array<bezier_patch<point<T, 3>>, 32> teapot_patches() noexcept;
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// The teapot as triangles with the patches' own normals.
 /// shape   four surfaces with open borders (body, lid, handle, spout), which pass through each other as in the
 ///         original; y up, spout towards +x; 64*n*n - 8*n triangles for n subdivisions with bottom, 56*n*n - 4*n
@@ -47,9 +53,9 @@ template <Real T>
 /// cost    a patch sample per vertex
 /// source  Newell 1975; see teapot_patches
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_teapot(const teapot_options& options = {});
+[[nodiscard]] IRG_API mesh<T> shape_teapot(const teapot_options& options = {});
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -149,19 +155,6 @@ constexpr bezier_patch<point<T, 3>> teapot_patch(const Rows& rows, std::size_t f
   return patch;
 }
 
-/// Appends a body given by control rows and made of `parts` patches around and `chain` patches along.
-template <class T, class Rows>
-constexpr void add_teapot_part(mesh<T>& m, int n, const Rows& rows, int parts, int chain, ring_end first,
-                               ring_end last) {
-  add_rings(m, parts * n, chain * n, first, last, [&](int i, int j) {
-    const int link = j == chain * n ? chain - 1 : j / n;
-    const auto patch = teapot_patch<T>(rows, static_cast<std::size_t>(3 * link), static_cast<std::size_t>(i / n));
-    const auto u = curve_fraction<T>(i % n, n), v = curve_fraction<T>(j - link * n, n);
-    const auto sample = patch_sample(patch, u, v);
-    return surface_vertex<T>{sample.point, surface_normal(sample, u, v).value_or(vec<T, 3>{})};
-  });
-}
-
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
@@ -184,8 +177,31 @@ template <Real T>
   return patches;
 }
 
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
+/// Appends a body given by control rows and made of `parts` patches around and `chain` patches along.
+template <class T, class Rows>
+constexpr void add_teapot_part(mesh<T>& m, int n, const Rows& rows, int parts, int chain, ring_end first,
+                               ring_end last) {
+  add_rings(m, parts * n, chain * n, first, last, [&](int i, int j) {
+    const int link = j == chain * n ? chain - 1 : j / n;
+    const auto patch = teapot_patch<T>(rows, static_cast<std::size_t>(3 * link), static_cast<std::size_t>(i / n));
+    const auto u = curve_fraction<T>(i % n, n), v = curve_fraction<T>(j - link * n, n);
+    const auto sample = patch_sample(patch, u, v);
+    return surface_vertex<T>{sample.point, surface_normal(sample, u, v).value_or(vec<T, 3>{})};
+  });
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_COMPILED_ABI {
+
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> shape_teapot(const teapot_options& options) {
+[[nodiscard]] IRG_API mesh<T> shape_teapot(const teapot_options& options) {
   using detail::ring_end;
   const int n = clamped(options.subdivisions, 1, 1024);
   mesh<T> m;
@@ -199,5 +215,5 @@ template <Floating T>
   return m;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

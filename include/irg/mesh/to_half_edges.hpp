@@ -146,7 +146,24 @@ private:
   std::vector<std::uint32_t> degree_, list_of_, next_in_list_;
 };
 
+template <Scalar T>
+constexpr checked<half_edge_mesh<T>, half_edge_status> build_half_edges(const mesh<T>& m) {
+  half_edge_builder<T> builder(m);
+  if (builder.status != half_edge_status::ok) return {{}, builder.status};
+  half_edge_mesh<T>& b = builder.made;
+  b.normals = m.normals, b.texcoords = m.texcoords, b.parts = m.parts;
+  for (std::uint32_t i = 0; i < m.parts.size(); ++i) b.face_parts.insert(b.face_parts.end(), m.parts[i].face_count, i);
+  return {std::move(b), half_edge_status::ok};
+}
+
 }  // namespace detail::inline IRG_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API checked<half_edge_mesh<T>, half_edge_status> half_edges_of(const mesh<T>& m);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -160,13 +177,22 @@ inline namespace IRG_ABI {
 /// source  Weiler 1985; Mantyla 1988; Chiba and Nishizeki 1985 (the vertex with fewer edges)
 template <Scalar T>
 [[nodiscard]] constexpr checked<half_edge_mesh<T>, half_edge_status> to_half_edges(const mesh<T>& m) {
-  detail::half_edge_builder<T> builder(m);
-  if (builder.status != half_edge_status::ok) return {{}, builder.status};
-  half_edge_mesh<T>& b = builder.made;
-  b.normals = m.normals, b.texcoords = m.texcoords, b.parts = m.parts;
-  for (std::uint32_t i = 0; i < m.parts.size(); ++i) b.face_parts.insert(b.face_parts.end(), m.parts[i].face_count, i);
-  return {std::move(b), half_edge_status::ok};
+  if constexpr (Floating<T>)
+    return detail::half_edges_of(m);
+  else
+    return detail::build_half_edges(m);
 }
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API checked<half_edge_mesh<T>, half_edge_status> half_edges_of(const mesh<T>& m) {
+  return build_half_edges(m);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -39,6 +39,14 @@ template <Scalar T>
 
 }  // namespace IRG_ABI
 
+namespace detail::inline IRG_COMPILED_ABI {
+
+// Cuts all faces of a mesh.
+template <Floating T>
+IRG_API void cut_mesh(mesh<T>& m, const triangulate_options& options);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
 namespace detail::inline IRG_ABI {
 
 // The triangles of one face of a mesh, by corner numbers: of the face without the coordinate along which it looks
@@ -83,22 +91,18 @@ private:
   }
 };
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
 template <Scalar T>
-[[nodiscard]] constexpr mesh<T> triangulated(mesh<T> m, triangulate_options options) {
+constexpr void cut_faces(mesh<T>& m, const triangulate_options& options) {
   const std::size_t triangles = m.corners.size() - 2 * m.face_count();
   IRG_EXPECTS(triangles <= 0xffffffffu / 3);
-  if (triangles == m.face_count()) return m;
+  if (triangles == m.face_count()) return;
   std::vector<mesh_corner> corners;
   corners.reserve(3 * triangles);
   std::vector<std::uint32_t> face_starts;
   face_starts.reserve(triangles + 1);
   face_starts.push_back(0);
 
-  detail::face_clipper<T> clip(options.tests_per_corner);
+  face_clipper<T> clip(options.tests_per_corner);
   std::size_t part = 0, face_end = m.parts.empty() ? 0 : m.parts[0].face_count;
   const auto finish_parts = [&](std::size_t faces_done) {
     for (; part < m.parts.size() && face_end == faces_done; ++part) {
@@ -118,6 +122,18 @@ template <Scalar T>
   finish_parts(m.face_count());
   m.corners = std::move(corners);
   m.face_starts = std::move(face_starts);
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+template <Scalar T>
+[[nodiscard]] constexpr mesh<T> triangulated(mesh<T> m, triangulate_options options) {
+  if constexpr (Floating<T>)
+    detail::cut_mesh(m, options);
+  else
+    detail::cut_faces(m, options);
   return m;
 }
 
@@ -125,3 +141,14 @@ IRG_RENAMED(triangulate, triangulated)
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API void cut_mesh(mesh<T>& m, const triangulate_options& options) {
+  cut_faces(m, options);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

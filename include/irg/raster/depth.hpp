@@ -8,7 +8,7 @@ namespace irg {
 
 /// Reversed depth: 1 on the near plane, 0 far away. Floats are dense near 0, so this order loses least (Upchurch and
 /// Desbrun 2012); it is irg's default.
-struct nearer_is_greater {
+struct [[gnu::visibility("default")]] nearer_is_greater {
   static constexpr float farthest = 0.0f;
   template <class T>
   IRG_INLINE static constexpr auto nearer(const T& a, const T& b) noexcept {
@@ -17,7 +17,7 @@ struct nearer_is_greater {
 };
 
 /// Ordinary depth: 0 on the near plane, 1 far away.
-struct nearer_is_less {
+struct [[gnu::visibility("default")]] nearer_is_less {
   static constexpr float farthest = 1.0f;
   template <class T>
   IRG_INLINE static constexpr auto nearer(const T& a, const T& b) noexcept {
@@ -26,7 +26,7 @@ struct nearer_is_less {
 };
 
 /// No hiding: what is drawn later covers what was drawn before, whatever its depth; the depth is only recorded.
-struct drawing_order {
+struct [[gnu::visibility("default")]] drawing_order {
   static constexpr float farthest = -1.0f;  // below every depth: tells touched pixels from untouched ones
   template <class T>
   IRG_INLINE static constexpr auto nearer(const T& a, const T&) noexcept {

@@ -4,9 +4,12 @@
 #pragma once
 
 #include <cstddef>
+#include <concepts>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/line_kernel.hpp>
 #include <irg/raster/draw_line.hpp>
 
@@ -99,6 +102,18 @@ constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_opti
                                   Memory&& memory = Memory{});
 
 }  // namespace IRG_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <CompiledPixel P>
+IRG_API void draw_line_batch(const image_view<P>& raster, const cell_window& w, std::span<const cell_line> lines,
+                             const P& value, const line_options& options, line_batch& memory);
+template <CompiledPixel P>
+IRG_API void draw_painted_batch(const image_view<P>& raster, const cell_window& w,
+                                std::span<const painted_line<P>> lines, const line_options& options,
+                                line_batch& memory);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -334,6 +349,39 @@ void draw_lines_by_piece(R& raster, const Lines& lines, const cell_window& windo
   draw_pieces(rows, pieces, grid.count, value_of);
 }
 
+// needs   a window that is not empty
+template <WritableRaster R, class Lines, class Paint>
+constexpr void draw_lines_in(R& raster, const Lines& lines, const Paint& paint, const line_options& options,
+                             line_batch& memory) {
+  const cell_window visible = window_of(raster);
+  if constexpr (EvenRowRaster<R> && !BlendFunction<Paint, R>) {
+    if (!std::is_constant_evaluated()) {
+      const auto value = static_cast<pixel_of<R>>(paint);
+      const batch_order order = order_that_pays(lines, visible, sizeof value, true);
+      if (order == batch_order::by_middle)
+        return draw_lines_by_middle(raster, lines, visible, options, memory.pieces(), value);
+      if (order == batch_order::by_piece)
+        return draw_lines_by_piece(raster, lines, visible, options, memory.pieces(),
+                                   [&](std::size_t) -> const pixel_of<R>& { return value; });
+    }
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lines.size()); ++i)
+    draw_line(raster, lines[i].from, lines[i].to, paint, options);
+}
+template <WritableRaster R, class Lines>
+constexpr void draw_painted_in(R& raster, const Lines& lines, const line_options& options, line_batch& memory) {
+  const cell_window visible = window_of(raster);
+  using paint_type = std::remove_cvref_t<decltype(lines[std::size_t{}].paint)>;
+  if constexpr (EvenRowRaster<R> && !BlendFunction<paint_type, R>) {
+    if (!std::is_constant_evaluated() &&
+        order_that_pays(lines, visible, sizeof(pixel_of<R>), false) == batch_order::by_piece)
+      return draw_lines_by_piece(raster, lines, visible, options, memory.pieces(),
+                                 [&](std::size_t i) { return static_cast<pixel_of<R>>(lines[i].paint); });
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lines.size()); ++i)
+    draw_line(raster, lines[i].from, lines[i].to, lines[i].paint, options);
+}
+
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
@@ -344,19 +392,11 @@ constexpr void draw_lines(R& raster, const Lines& lines, const Paint& paint, con
                           Memory&& memory) {
   const cell_window visible = window_of(raster);
   if (visible.empty()) return;
-  if constexpr (EvenRowRaster<R> && !BlendFunction<Paint, R>) {
-    if (!std::is_constant_evaluated()) {
-      const auto value = static_cast<pixel_of<R>>(paint);
-      const detail::batch_order order = detail::order_that_pays(lines, visible, sizeof value, true);
-      if (order == detail::batch_order::by_middle)
-        return detail::draw_lines_by_middle(raster, lines, visible, options, memory.pieces(), value);
-      if (order == detail::batch_order::by_piece)
-        return detail::draw_lines_by_piece(raster, lines, visible, options, memory.pieces(),
-                                           [&](std::size_t) -> const pixel_of<R>& { return value; });
-    }
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(lines.size()); ++i)
-    draw_line(raster, lines[i].from, lines[i].to, paint, options);
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && !BlendFunction<Paint, R> &&
+                std::convertible_to<const Lines&, std::span<const cell_line>>)
+    detail::draw_line_batch(view_of(raster), visible, lines, static_cast<pixel_of<R>>(paint), options, memory);
+  else
+    detail::draw_lines_in(raster, lines, paint, options, memory);
 }
 
 template <WritableRaster R, PaintedLineSequence<R> Lines, class Memory>
@@ -364,16 +404,34 @@ template <WritableRaster R, PaintedLineSequence<R> Lines, class Memory>
 constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_options& options, Memory&& memory) {
   const cell_window visible = window_of(raster);
   if (visible.empty()) return;
-  using paint_type = std::remove_cvref_t<decltype(lines[std::size_t{}].paint)>;
-  if constexpr (EvenRowRaster<R> && !BlendFunction<paint_type, R>) {
-    if (!std::is_constant_evaluated() &&
-        detail::order_that_pays(lines, visible, sizeof(pixel_of<R>), false) == detail::batch_order::by_piece)
-      return detail::draw_lines_by_piece(raster, lines, visible, options, memory.pieces(),
-                                         [&](std::size_t i) { return static_cast<pixel_of<R>>(lines[i].paint); });
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(lines.size()); ++i)
-    draw_line(raster, lines[i].from, lines[i].to, lines[i].paint, options);
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> &&
+                std::convertible_to<const Lines&, std::span<const painted_line<pixel_of<R>>>>)
+    detail::draw_painted_batch<pixel_of<R>>(view_of(raster), visible, lines, options, memory);
+  else
+    detail::draw_painted_in(raster, lines, options, memory);
 }
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <CompiledPixel P>
+IRG_API void draw_line_batch(const image_view<P>& raster, const cell_window& w, std::span<const cell_line> lines,
+                             const P& value, const line_options& options, line_batch& memory) {
+  image_view<P> view = raster;
+  const auto target = within(view, w);
+  draw_lines_in(target, lines, value, options, memory);
+}
+template <CompiledPixel P>
+IRG_API void draw_painted_batch(const image_view<P>& raster, const cell_window& w,
+                                std::span<const painted_line<P>> lines, const line_options& options,
+                                line_batch& memory) {
+  image_view<P> view = raster;
+  const auto target = within(view, w);
+  draw_painted_in(target, lines, options, memory);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

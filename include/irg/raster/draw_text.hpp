@@ -5,18 +5,22 @@
 // that belongs to no well-formed code point.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include <irg/curve/flatten.hpp>
-#include <irg/math/trigonometry.hpp>
+#include <irg/core/function_ref.hpp>
+#include <irg/raster/line_style.hpp>
 #include <irg/raster/stroke.hpp>
 #include <irg/raster/stroke_font.hpp>
-#include <irg/raster/line_style.hpp>
+#if IRG_BODIES
+#include <array>
+
+#include <irg/curve/flatten.hpp>
+#include <irg/math/trigonometry.hpp>
+#endif
 
 namespace irg::inline IRG_ABI {
 
@@ -54,6 +58,14 @@ constexpr bool draw_text(R& raster, std::string_view text, const point<double, 2
 
 }  // namespace irg::inline IRG_ABI
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class T>
+IRG_API bool strokes_of_text(std::string_view text, const point<T, 2>& at, const text_style& style,
+                             const function_ref<void(std::span<const point<T, 2>>)>& sink);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
 namespace irg::detail::inline IRG_ABI {
 
 // From bytes to code points, and from a glyph's text to polylines in pixels.
@@ -78,6 +90,45 @@ constexpr char32_t next_code_point(std::string_view text, std::size_t& at) noexc
   at += more;
   return c;
 }
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_ABI {
+
+[[nodiscard]] constexpr text_extent measure_text(std::string_view text, double size) noexcept {
+  if (!detail::is_text_size(size)) return {};
+  std::int64_t units = 0;
+  for (std::size_t at = 0; at < text.size();)
+    units += stroke_glyph_of(detail::next_code_point(text, at)).width + 2 * stroke_font_units::gap;
+  const auto scaled = [&](std::int64_t n) { return size * static_cast<double>(n) / stroke_font_units::size; };
+  return {scaled(units), scaled(stroke_font_units::ascent), scaled(stroke_font_units::descent)};
+}
+
+template <class Sink>
+  requires requires(Sink& sink, std::span<const point<double, 2>> points) { sink(points); }
+constexpr bool text_strokes(std::string_view text, const point<double, 2>& at, const text_style& style, Sink&& sink) {
+  return detail::strokes_of_text<double>(text, at, style, as_function<void(std::span<const point<double, 2>>)>(sink));
+}
+
+template <WritableRaster R, CoveragePaintFor<R> Paint>
+constexpr bool draw_text(R& raster, std::string_view text, const point<double, 2>& at, const text_style& style,
+                         const Paint& paint) {
+  std::vector<std::vector<point<double, 2>>> rings;
+  const auto keep = [&](std::span<const point<double, 2>> ring) { rings.emplace_back(ring.begin(), ring.end()); };
+  const stroke_style line{.width = style.weight > 0  ? style.weight
+                                   : style.size > 12 ? style.size / 12
+                                                     : 1,
+                          .caps = line_caps::round};
+  bool all = true;
+  const bool done = text_strokes(
+      text, at, style, [&](std::span<const point<double, 2>> p) { all = stroke_outline(p, line, keep) && all; });
+  return done && all && fill_polygon_aa(raster, rings, fill_rule::non_zero, paint);
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // Draws glyphs: the position of the text, its direction, where on the line the glyph begins, pixels per unit.
 template <class T>
@@ -139,22 +190,13 @@ struct glyph_pen {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-[[nodiscard]] constexpr text_extent measure_text(std::string_view text, double size) noexcept {
-  if (!detail::is_text_size(size)) return {};
-  std::int64_t units = 0;
-  for (std::size_t at = 0; at < text.size();)
-    units += stroke_glyph_of(detail::next_code_point(text, at)).width + 2 * stroke_font_units::gap;
-  const auto scaled = [&](std::int64_t n) { return size * static_cast<double>(n) / stroke_font_units::size; };
-  return {scaled(units), scaled(stroke_font_units::ascent), scaled(stroke_font_units::descent)};
-}
-
-template <class Sink>
-  requires requires(Sink& sink, std::span<const point<double, 2>> points) { sink(points); }
-constexpr bool text_strokes(std::string_view text, const point<double, 2>& at, const text_style& style, Sink&& sink) {
+template <class T>
+IRG_API bool strokes_of_text(std::string_view text, const point<T, 2>& at, const text_style& style,
+                             const function_ref<void(std::span<const point<T, 2>>)>& sink) {
   const auto turn = sin_cos_degrees(style.clockwise_degrees);
-  if (!detail::is_text_size(style.size) || !can_snap(at) || !(turn.sine == turn.sine)) return false;
+  if (!is_text_size(style.size) || !can_snap(at) || !(turn.sine == turn.sine)) return false;
   const text_extent e = measure_text(text, style.size);
   const double back = style.along == text_along::left ? 0 : style.along == text_along::centre ? 0.5 * e.width : e.width;
   const double capital = style.size * stroke_font_units::capital / stroke_font_units::size;
@@ -162,9 +204,9 @@ constexpr bool text_strokes(std::string_view text, const point<double, 2>& at, c
                       : style.across == text_across::middle ? 0.5 * capital
                       : style.across == text_across::top    ? e.ascent
                                                             : -e.descent;
-  detail::glyph_pen<double> pen{at, {turn.cosine, turn.sine}, {-back, down}, style.size / stroke_font_units::size, {}};
+  glyph_pen<T> pen{at, {turn.cosine, turn.sine}, {-back, down}, style.size / stroke_font_units::size, {}};
   for (std::size_t i = 0; i < text.size();) {
-    const stroke_glyph g = stroke_glyph_of(detail::next_code_point(text, i));
+    const stroke_glyph g = stroke_glyph_of(next_code_point(text, i));
     pen.from.x += pen.unit * stroke_font_units::gap;
     pen.draw(g.strokes, sink);
     pen.from.x += pen.unit * (g.width + stroke_font_units::gap);
@@ -172,19 +214,5 @@ constexpr bool text_strokes(std::string_view text, const point<double, 2>& at, c
   return true;
 }
 
-template <WritableRaster R, CoveragePaintFor<R> Paint>
-constexpr bool draw_text(R& raster, std::string_view text, const point<double, 2>& at, const text_style& style,
-                         const Paint& paint) {
-  std::vector<std::vector<point<double, 2>>> rings;
-  const auto keep = [&](std::span<const point<double, 2>> ring) { rings.emplace_back(ring.begin(), ring.end()); };
-  const stroke_style line{.width = style.weight > 0  ? style.weight
-                                   : style.size > 12 ? style.size / 12
-                                                     : 1,
-                          .caps = line_caps::round};
-  bool all = true;
-  const bool done = text_strokes(
-      text, at, style, [&](std::span<const point<double, 2>> p) { all = stroke_outline(p, line, keep) && all; });
-  return done && all && fill_polygon_aa(raster, rings, fill_rule::non_zero, paint);
-}
-
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -7,9 +7,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
+#include <irg/core/function_ref.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/convex_fill_kernel.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/fill_span.hpp>
 
 namespace irg::inline IRG_ABI {
@@ -24,7 +27,12 @@ namespace irg::inline IRG_ABI {
 /// cost    one division per edge that crosses a row of the window; nothing is allocated
 template <FillableRing Ring, SpanSink Sink>
 constexpr bool convex_spans(const Ring& ring, const cell_window& window, Sink&& sink) {
-  return detail::walk_ring(ring, window, [&](int y, int first, int last) { sink(span_of_cells{y, first, last}); });
+  const auto send = [&](int y, int first, int last) { sink(span_of_cells{y, first, last}); };
+  if constexpr (detail::draws_in_library && detail::CompiledRing<Ring>)
+    return detail::send_ring_runs(std::span<const ring_point<Ring>>(ring), window,
+                                  as_function<void(int, int, int)>(send));
+  else
+    return detail::walk_ring(ring, window, send);
 }
 
 /// Paints the pixels of a convex polygon, each once.
@@ -32,10 +40,16 @@ constexpr bool convex_spans(const Ring& ring, const cell_window& window, Sink&& 
 template <WritableRaster R, FillableRing Ring, PaintFor<R> Paint = pixel_of<R>>
 constexpr bool fill_convex(R& raster, const Ring& ring, const Paint& paint) {
   decltype(auto) prepared = detail::prepared_paint<R>(paint);
-  const std::ptrdiff_t ahead = detail::bytes_to_row_below(raster);
-  return detail::walk_ring(ring, window_of(raster), [&](int y, int first, int last) {
-    detail::paint_run(raster, y, first, last, prepared, ahead);
-  });
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && detail::CompiledRing<Ring> &&
+                !BlendFunction<Paint, R>) {
+    return detail::paint_ring_runs(view_of(raster), std::span<const ring_point<Ring>>(ring), prepared,
+                                   window_of(raster));
+  } else {
+    const std::ptrdiff_t ahead = detail::bytes_to_row_below(raster);
+    return detail::walk_ring(ring, window_of(raster), [&](int y, int first, int last) {
+      detail::paint_run(raster, y, first, last, prepared, ahead);
+    });
+  }
 }
 
 /// Paints the pixels of a triangle, each once.

@@ -7,14 +7,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 
+#include <irg/core/function_ref.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/core/raster_concept.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/blend_span.hpp>
 #include <irg/raster/detail/area_kernel.hpp>
 #include <irg/raster/detail/area_targets.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/snapped_ring.hpp>
 
 namespace irg {
@@ -44,6 +47,17 @@ constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint);
 }  // namespace IRG_ABI
 
 namespace detail {
+
+inline namespace IRG_COMPILED_ABI {
+
+template <CompiledVertex V>
+IRG_API bool send_convex_ring(std::span<const V> ring, const cell_window& w,
+                              const function_ref<void(const coverage_span&)>& sink);
+template <CompiledPixel P, CompiledVertex V>
+IRG_API bool mix_convex_ring(const image_view<P>& raster, std::span<const V> ring, const P& value,
+                             const cell_window& w);
+
+}  // namespace IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -306,7 +320,7 @@ IRG_INLINE constexpr bool area_of_ring(const Ring& ring, const cell_window& w, T
 
 // Mixes a colour straight into rows.
 template <class R, FillableRing Ring>
-bool mix_convex_ring(R& raster, const Ring& ring, const pixel_of<R>& value, const cell_window& w) {
+bool mix_ring_in_lanes(R& raster, const Ring& ring, const pixel_of<R>& value, const cell_window& w) {
   area_mix_target<R> target(raster, value);
   return area_of_ring<pack<float, mix_lanes>>(ring, w, target);
 }
@@ -323,7 +337,7 @@ constexpr bool send_convex_areas(const Ring& ring, const cell_window& w, Sink& s
 template <class R, FillableRing Ring>
 constexpr bool mix_convex_areas(R& raster, const Ring& ring, const pixel_of<R>& value, const cell_window& w) {
   if constexpr (mixes_in_lanes<pixel_of<R>>) {
-    if (!std::is_constant_evaluated()) return mix_convex_ring(raster, ring, value, w);
+    if (!std::is_constant_evaluated()) return mix_ring_in_lanes(raster, ring, value, w);
   }
   const auto blend = [&](const coverage_span& span) { blend_span(raster, span, value); };
   return send_convex_areas(ring, w, blend);
@@ -336,13 +350,21 @@ inline namespace IRG_ABI {
 
 template <FillableRing Ring, CoverageSink Sink>
 constexpr bool convex_coverage(const Ring& ring, const cell_window& window, Sink&& sink) {
-  return detail::send_convex_areas(ring, window, sink);
+  if constexpr (detail::draws_in_library && detail::CompiledRing<Ring>)
+    return detail::send_convex_ring(std::span<const ring_point<Ring>>(ring), window,
+                                    as_function<void(const coverage_span&)>(sink));
+  else
+    return detail::send_convex_areas(ring, window, sink);
 }
 
 template <WritableRaster R, FillableRing Ring, CoveragePaintFor<R> Paint>
 constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint) {
   const cell_window w = window_of(raster);
-  if constexpr (RowRaster<R> && !CoverageBlendFunction<Paint, R>)
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && detail::CompiledRing<Ring> &&
+                !CoverageBlendFunction<Paint, R>)
+    return detail::mix_convex_ring(view_of(raster), std::span<const ring_point<Ring>>(ring),
+                                   static_cast<pixel_of<R>>(paint), w);
+  else if constexpr (RowRaster<R> && !CoverageBlendFunction<Paint, R>)
     return detail::mix_convex_areas(raster, ring, static_cast<pixel_of<R>>(paint), w);
   else
     return convex_coverage(ring, w, [&](const coverage_span& span) { blend_span(raster, span, paint); });
@@ -350,3 +372,22 @@ constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint) {
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <CompiledVertex V>
+IRG_API bool send_convex_ring(std::span<const V> ring, const cell_window& w,
+                              const function_ref<void(const coverage_span&)>& sink) {
+  return send_convex_areas(ring, w, sink);
+}
+
+template <CompiledPixel P, CompiledVertex V>
+IRG_API bool mix_convex_ring(const image_view<P>& raster, std::span<const V> ring, const P& value,
+                             const cell_window& w) {
+  image_view<P> target = raster;
+  return mix_convex_areas(target, ring, value, w);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -5,7 +5,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
+#include <irg/core/function_ref.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/polygon_bands.hpp>
 #include <irg/raster/fill_span.hpp>
 
@@ -19,7 +23,59 @@ struct fill_workspace {
   detail::polygon_bands bands;
 };
 
+namespace detail::inline IRG_COMPILED_ABI {
+
+// Walks all edges down the window.
+template <class J>
+IRG_API void send_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                            const cell_window& w, const function_ref<void(int, int, int)>& sink);
+template <class J, CompiledPixel P>
+IRG_API void paint_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                             const cell_window& w, const image_view<P>& raster, const P& value);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
 namespace detail::inline IRG_ABI {
+
+// What scans of irg::compiled go to: a sink, or the pixels themselves.
+template <class Sink>
+struct scan_to_sink {
+  Sink& sink;
+  IRG_INLINE constexpr void operator()(int y, int first, int last) const { sink(y, first, last); }
+  template <class J>
+  constexpr void scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                      const cell_window& w) const {
+    send_edge_scan(edges, turns, rule, w, as_function<void(int, int, int)>(sink));
+  }
+  template <CompiledRing R>
+  constexpr bool ring(const R& r, const cell_window& w) const {
+    return send_ring_runs(std::span<const ring_point<R>>(r), w, as_function<void(int, int, int)>(sink));
+  }
+};
+template <class Sink, class P>
+struct scan_to_pixels {
+  Sink& sink;
+  image_view<P> raster;
+  P value;
+  IRG_INLINE constexpr void operator()(int y, int first, int last) const { sink(y, first, last); }
+  template <class J>
+  constexpr void scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                      const cell_window& w) const {
+    paint_edge_scan(edges, turns, rule, w, raster, value);
+  }
+  template <CompiledRing R>
+  constexpr bool ring(const R& r, const cell_window& w) const {
+    return paint_ring_runs(raster, std::span<const ring_point<R>>(r), value, w);
+  }
+};
+
+template <FillableRing R, class Emit>
+constexpr bool walk_single_ring(const R& ring, const cell_window& w, Emit& sink) {
+  if constexpr (requires { sink.ring(ring, w); })
+    return sink.ring(ring, w);
+  else
+    return walk_ring(ring, w, sink);
+}
 
 template <class J, FillablePolygon P, class Emit>
 constexpr void scan_polygon(const P& polygon, fill_rule rule, const cell_window& w, std::vector<polygon_edge<J>>& edges,
@@ -41,7 +97,10 @@ constexpr void scan_polygon(const P& polygon, fill_rule rule, const cell_window&
       a = b;
     }
   });
-  scan_edges(edges, turns, rule, w, sink);
+  if constexpr (requires { sink.scan(edges, turns, rule, w); })
+    sink.scan(edges, turns, rule, w);
+  else
+    scan_edges(edges, turns, rule, w, sink);
 }
 
 // Calls sink(y, x_first, x_last) for the runs of covered pixels; false, and no call, when a vertex is refused.
@@ -49,12 +108,13 @@ template <FillablePolygon P, class Emit>
 constexpr bool walk_polygon(const P& polygon, fill_rule rule, const cell_window& w, fill_workspace& workspace,
                             Emit&& sink) {
   if constexpr (FillableRing<P>)
-    if (ring_size(polygon) <= 3) return walk_ring(polygon, w, sink);
+    if (ring_size(polygon) <= 3) return walk_single_ring(polygon, w, sink);
   const ring_reach reach = reach_of_polygon(polygon);
   if (reach == ring_reach::refused) return false;
   if (w.empty()) return true;
   if constexpr (FillableRing<P>)
-    if (reach == ring_reach::within_snap_limit && goes_down_and_up_once(polygon)) return walk_ring(polygon, w, sink);
+    if (reach == ring_reach::within_snap_limit && goes_down_and_up_once(polygon))
+      return walk_single_ring(polygon, w, sink);
   if (reach == ring_reach::within_snap_limit)
     scan_polygon<std::int32_t>(polygon, rule, w, workspace.edges, workspace.turns, sink);
   else
@@ -79,8 +139,11 @@ template <FillablePolygon P, SpanSink Sink, class Workspace = fill_workspace>
   requires std::same_as<Workspace&, fill_workspace&>
 constexpr bool polygon_spans(const P& polygon, fill_rule rule, const cell_window& window, Sink&& sink,
                              Workspace&& workspace = Workspace{}) {
-  return detail::walk_polygon(polygon, rule, window, workspace,
-                              [&](int y, int first, int last) { sink(span_of_cells{y, first, last}); });
+  const auto send = [&](int y, int first, int last) { sink(span_of_cells{y, first, last}); };
+  if constexpr (detail::draws_in_library)
+    return detail::walk_polygon(polygon, rule, window, workspace, detail::scan_to_sink<decltype(send)>{send});
+  else
+    return detail::walk_polygon(polygon, rule, window, workspace, send);
 }
 
 /// Paints the pixels of a polygon, each once.
@@ -91,9 +154,16 @@ constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const P
                             Workspace&& workspace = Workspace{}) {
   decltype(auto) prepared = detail::prepared_paint<R>(paint);
   const std::ptrdiff_t ahead = detail::bytes_to_row_below(raster);
-  return detail::walk_polygon(polygon, rule, window_of(raster), workspace, [&](int y, int first, int last) {
-    detail::paint_run(raster, y, first, last, prepared, ahead);
-  });
+  const cell_window w = window_of(raster);
+  const auto send = [&](int y, int first, int last) { detail::paint_run(raster, y, first, last, prepared, ahead); };
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && !BlendFunction<Paint, R>)
+    return detail::walk_polygon(
+        polygon, rule, w, workspace,
+        detail::scan_to_pixels<decltype(send), pixel_of<R>>{send, view_of(raster), static_cast<pixel_of<R>>(prepared)});
+  else if constexpr (detail::draws_in_library)
+    return detail::walk_polygon(polygon, rule, w, workspace, detail::scan_to_sink<decltype(send)>{send});
+  else
+    return detail::walk_polygon(polygon, rule, w, workspace, send);
 }
 /// The same of one ring in braces: fill_polygon(picture, {{2, 3}, {9, 3.5}, {4, 8}}, rule, paint).
 template <WritableRaster R, std::size_t N, PaintFor<R> Paint = pixel_of<R>, class Workspace = fill_workspace>
@@ -105,3 +175,24 @@ constexpr bool fill_polygon(R& raster, const point<double, 2> (&ring)[N], fill_r
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class J>
+IRG_API void send_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                            const cell_window& w, const function_ref<void(int, int, int)>& sink) {
+  scan_edges(edges, turns, rule, w, sink);
+}
+
+template <class J, CompiledPixel P>
+IRG_API void paint_edge_scan(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                             const cell_window& w, const image_view<P>& raster, const P& value) {
+  image_view<P> target = raster;
+  const std::ptrdiff_t ahead = bytes_to_row_below(target);
+  const auto paint = [&](int y, int first, int last) { paint_run(target, y, first, last, value, ahead); };
+  scan_edges(edges, turns, rule, w, paint);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include <irg/core/contraction.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/area_kernel.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/polygon_bands.hpp>
 #include <irg/raster/detail/polygon_fill_kernel.hpp>
 #include <irg/raster/detail/snapped_ring.hpp>
@@ -124,6 +126,19 @@ constexpr bool fill_polygon_aa(R& raster, const point<double, 2> (&ring)[N], fil
 }
 
 }  // namespace IRG_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+// The rows of the lines in memory.
+// needs   w not empty
+template <class Memory>
+IRG_API void send_area_sweep(Memory& memory, fill_rule rule, const cell_window& w,
+                             const function_ref<void(const coverage_span&)>& sink);
+template <CompiledPixel P>
+IRG_API void mix_area_sweep(const image_view<P>& raster, area_memory& memory, fill_rule rule, const cell_window& w,
+                            const P& value);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -458,6 +473,15 @@ constexpr void add_area_lines(std::vector<area_line>& lines, const R& ring, ring
   }
 }
 
+// Collects the edges of a polygon that can be snapped; gives the pixels of the window that it may cover.
+template <FillablePolygon P>
+constexpr cell_window collect_area_lines(area_memory& m, const P& polygon, const cell_window& window) {
+  m.lines.clear();
+  ring_extent<std::int32_t> extent;
+  for_each_ring(polygon, [&](const auto& ring) { add_area_lines(m.lines, ring, extent); });
+  return m.lines.empty() ? cell_window{} : intersect(window, cells_of_extent(extent));
+}
+
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
@@ -470,12 +494,12 @@ constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_win
   if (detail::reach_of_polygon(polygon) != detail::ring_reach::within_snap_limit) return false;
   if constexpr (FillableRing<P>)
     if (detail::is_convex_ring(polygon)) return convex_coverage(polygon, window, sink);
-  m.lines.clear();
-  detail::ring_extent<std::int32_t> extent;
-  detail::for_each_ring(polygon, [&](const auto& ring) { detail::add_area_lines(m.lines, ring, extent); });
-  if (m.lines.empty()) return true;
-  const cell_window w = intersect(window, detail::cells_of_extent(extent));
-  if (!w.empty()) detail::polygon_sweep(m, rule, w, sink).all_rows();
+  const cell_window w = detail::collect_area_lines(m, polygon, window);
+  if (w.empty()) return true;
+  if constexpr (detail::draws_in_library)
+    detail::send_area_sweep(m, rule, w, as_function<void(const coverage_span&)>(sink));
+  else
+    detail::polygon_sweep(m, rule, w, sink).all_rows();
   return true;
 }
 
@@ -485,9 +509,36 @@ constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, cons
   if constexpr (FillableRing<P>)
     if (detail::reach_of(polygon) == detail::ring_reach::within_snap_limit && detail::is_convex_ring(polygon))
       return fill_convex_aa(raster, polygon, paint);
-  const auto blend = [&](const coverage_span& span) { blend_span(raster, span, paint); };
-  return polygon_coverage(polygon, rule, window_of(raster), blend, workspace);
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && !CoverageBlendFunction<Paint, R>) {
+    if (detail::reach_of_polygon(polygon) != detail::ring_reach::within_snap_limit) return false;
+    const cell_window w = detail::collect_area_lines(workspace.memory, polygon, window_of(raster));
+    if (!w.empty()) detail::mix_area_sweep(view_of(raster), workspace.memory, rule, w, static_cast<pixel_of<R>>(paint));
+    return true;
+  } else {
+    const auto blend = [&](const coverage_span& span) { blend_span(raster, span, paint); };
+    return polygon_coverage(polygon, rule, window_of(raster), blend, workspace);
+  }
 }
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Memory>
+IRG_API void send_area_sweep(Memory& memory, fill_rule rule, const cell_window& w,
+                             const function_ref<void(const coverage_span&)>& sink) {
+  polygon_sweep(memory, rule, w, sink).all_rows();
+}
+
+template <CompiledPixel P>
+IRG_API void mix_area_sweep(const image_view<P>& raster, area_memory& memory, fill_rule rule, const cell_window& w,
+                            const P& value) {
+  image_view<P> target = raster;
+  const auto blend = [&](const coverage_span& span) { blend_span(target, span, value); };
+  polygon_sweep(memory, rule, w, blend).all_rows();
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -46,7 +46,7 @@ struct IRG_APART line_allocator {
 ///         (bottom-up images: first_row points at the top row, the last in memory)
 /// needs   |stride| >= width * sizeof(P) and a multiple of alignof(P), or height <= 1
 template <class P>
-class image_view {
+class [[gnu::visibility("default")]] image_view {
 public:
   constexpr image_view() = default;
   /// A view of rows that follow each other without a gap.

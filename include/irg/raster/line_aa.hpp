@@ -4,8 +4,10 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/area_targets.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/line_aa_shape.hpp>
 #include <irg/raster/detail/line_aa_slender.hpp>
 #include <irg/raster/detail/snapped_line.hpp>
@@ -38,6 +40,17 @@ template <WritableRaster R, ScreenPosition P = point<double, 2>, CoveragePaintFo
 constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& paint, const line_aa_options& options = {});
 
 }  // namespace IRG_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <class Options>
+IRG_API void send_line_areas(const subpixel& a, const subpixel& b, const Options& options, const cell_window& w,
+                             const function_ref<void(const coverage_span&)>& sink);
+template <CompiledPixel P>
+IRG_API void mix_line_areas(const image_view<P>& raster, const subpixel& a, const subpixel& b, const P& value,
+                            const line_aa_options& options, const cell_window& w);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 namespace detail::inline IRG_ABI {
 
@@ -253,6 +266,16 @@ IRG_INLINE constexpr bool aa_can_draw(const subpixel& a, const subpixel& b, std:
   return can_snap(a) && can_snap(b) && width > 0 && width <= max_line_aa_width;
 }
 
+template <class Sink>
+constexpr void aa_send_line(const subpixel& a, const subpixel& b, const line_aa_options& options,
+                            const cell_window& window, Sink& sink) {
+  area_span_target<Sink> target{sink};
+  if (std::is_constant_evaluated())
+    aa_line<float>(a, b, options, window, target);
+  else
+    aa_line<pack<float, native_lanes<float>>>(a, b, options, window, target);
+}
+
 // At run time only: lanes.
 template <class R>
 void aa_mix_line(R& raster, const subpixel& a, const subpixel& b, const pixel_of<R>& value,
@@ -269,11 +292,10 @@ template <CoverageSink Sink>
 constexpr bool line_aa(const subpixel& a, const subpixel& b, const cell_window& window, Sink&& sink,
                        const line_aa_options& options) {
   if (!detail::aa_can_draw(a, b, options.width)) return false;
-  detail::area_span_target<std::remove_reference_t<Sink>> target{sink};
-  if (std::is_constant_evaluated())
-    detail::aa_line<float>(a, b, options, window, target);
+  if constexpr (detail::draws_in_library)
+    detail::send_line_areas(a, b, options, window, as_function<void(const coverage_span&)>(sink));
   else
-    detail::aa_line<pack<float, native_lanes<float>>>(a, b, options, window, target);
+    detail::aa_send_line(a, b, options, window, sink);
   return true;
 }
 
@@ -283,7 +305,10 @@ constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& pain
   if (!finite || !detail::aa_can_draw(from, to, options.width)) return false;
   if (!in_reach) return true;
   const cell_window w = window_of(raster);
-  if constexpr (RowRaster<R> && detail::mixes_in_lanes<pixel_of<R>> && !CoverageBlendFunction<Paint, R>) {
+  if constexpr (detail::draws_in_library && detail::CompiledRaster<R> && !CoverageBlendFunction<Paint, R>) {
+    detail::mix_line_areas(view_of(raster), from, to, static_cast<pixel_of<R>>(paint), options, w);
+    return true;
+  } else if constexpr (RowRaster<R> && detail::mixes_in_lanes<pixel_of<R>> && !CoverageBlendFunction<Paint, R>) {
     if (!std::is_constant_evaluated()) {
       detail::aa_mix_line(raster, from, to, static_cast<pixel_of<R>>(paint), options, w);
       return true;
@@ -297,3 +322,22 @@ constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& pain
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Options>
+IRG_API void send_line_areas(const subpixel& a, const subpixel& b, const Options& options, const cell_window& w,
+                             const function_ref<void(const coverage_span&)>& sink) {
+  aa_send_line(a, b, options, w, sink);
+}
+
+template <CompiledPixel P>
+IRG_API void mix_line_areas(const image_view<P>& raster, const subpixel& a, const subpixel& b, const P& value,
+                            const line_aa_options& options, const cell_window& w) {
+  image_view<P> target = raster;
+  aa_mix_line(target, a, b, value, options, w);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include <irg/core/executor.hpp>
-#include <irg/core/interleaved_lanes.hpp>
-#include <irg/core/lanes.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/raster/screen_mapping.hpp>
 #include <irg/raster/subpixel.hpp>
+#if IRG_BODIES
+#include <irg/raster/vertex_lanes.hpp>
+#endif
 
 namespace irg {
 
@@ -31,28 +32,6 @@ struct projected_vertices {
 };
 
 inline namespace IRG_ABI {
-
-static_assert(sizeof(screen_vertex) == 16);  // x, y, depth, 1/w
-
-/// N vertices, a lane each.
-template <int N>
-struct vertex_lanes {
-  pack<std::int32_t, N> x, y;
-  pack<float, N> depth, inverse_w;
-};
-
-/// The vertices screen[index(i)], i the lane.
-template <int N, class Index>
-[[nodiscard]] IRG_INLINE vertex_lanes<N> load_vertices(const screen_vertex* screen, const Index& index) noexcept {
-  const auto [x, y, z, w] = load_quadruples<N>([&](int i) { return screen + index(i); });
-  return {bits_as<std::int32_t>(x), bits_as<std::int32_t>(y), z, w};
-}
-
-/// The reverse: N vertices from `to` on.
-template <int N>
-IRG_INLINE void store_vertices(screen_vertex* to, const vertex_lanes<N>& v) noexcept {
-  store_quadruples<N>(to, {bits_as<float>(v.x), bits_as<float>(v.y), v.depth, v.inverse_w});
-}
 
 /// Vertex i in clip space.
 template <Floating T>
@@ -106,7 +85,29 @@ template <Floating T, SpaceRing A = std::span<const point<T, 3>>, Executor E = s
 }
 
 }  // namespace IRG_ABI
+}  // namespace irg
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API void project_positions(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
+                               const screen_mapping<T>& mapping, projected_vertices<T>& out,
+                               const executor_ref& executor);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, Executor E>
+constexpr void project_vertices(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
+                                const screen_mapping<T>& mapping, projected_vertices<T>& out, const E& executor) {
+  detail::project_positions(positions, to_clip, mapping, out, as_executor(executor));
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg {
 namespace detail::inline IRG_ABI {
 
 // A range of vertices from the world to the screen, a register of them at a time. Bit for bit what to_screen and
@@ -209,11 +210,12 @@ constexpr clip_code_pair project_range(const vertex_range<T>& v, std::size_t fir
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
 
-template <Floating T, Executor E>
-constexpr void project_vertices(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
-                                const screen_mapping<T>& mapping, projected_vertices<T>& out, const E& executor) {
+template <Floating T>
+IRG_API void project_positions(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
+                               const screen_mapping<T>& mapping, projected_vertices<T>& out,
+                               const executor_ref& executor) {
   constexpr std::size_t portion = 8192;
   const std::size_t n = positions.size();
   out.positions = positions;
@@ -223,12 +225,12 @@ constexpr void project_vertices(std::span<const point<T, 3>> positions, const ma
   std::vector<clip_code_pair> any((n + portion - 1) / portion, clip_code_pair{});
   executor(any.size(), [&](std::size_t i) {
     const std::size_t first = i * portion, last = minimum(first + portion, n);
-    any[i] = detail::project_range<T>({out.screen.data(), out.codes.data(), positions.data(), to_clip, mapping}, first,
-                                      last);
+    any[i] = project_range<T>({out.screen.data(), out.codes.data(), positions.data(), to_clip, mapping}, first, last);
   });
   out.any = {};
   for (const clip_code_pair& a : any) out.any = out.any | a;
 }
 
-}  // namespace IRG_ABI
+}  // namespace detail::inline IRG_COMPILED_ABI
 }  // namespace irg
+#endif

@@ -6,22 +6,11 @@
 #include <cstdint>
 
 #include <irg/geometry/clip_homogeneous.hpp>
+#include <irg/raster/piece_weights.hpp>
 #include <irg/raster/screen_face.hpp>
 #include <irg/raster/screen_mapping.hpp>
 
 namespace irg {
-
-/// The weights of the second and third vertex of a source triangle; the first has the rest of 1.
-struct source_weights {
-  float second = 0, third = 0;
-  bool operator==(const source_weights&) const = default;
-};
-
-/// Where the corners of a piece lie in its source triangle.
-struct piece_weights {
-  source_weights corner[3] = {{0, 0}, {1, 0}, {0, 1}};
-  bool operator==(const piece_weights&) const = default;
-};
 
 /// A part of a source triangle, on the screen under the triangle's number.
 struct screen_piece {

@@ -10,11 +10,14 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/function_ref.hpp>
+#include <irg/raster/fill_polygon_aa.hpp>
+#include <irg/raster/line_style.hpp>
+#if IRG_BODIES
 #include <irg/math/constants.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/trigonometry.hpp>
-#include <irg/raster/fill_polygon_aa.hpp>
-#include <irg/raster/line_style.hpp>
+#endif
 
 namespace irg::inline IRG_ABI {
 
@@ -52,6 +55,25 @@ constexpr bool draw_stroke(R& raster, std::span<const point<double, 2>> points, 
 
 }  // namespace irg::inline IRG_ABI
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class T>
+IRG_API bool outline_of_stroke(std::span<const point<T, 2>> points, const stroke_style& style,
+                               const function_ref<void(std::span<const point<T, 2>>)>& sink);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <class Sink>
+  requires requires(Sink& sink, std::span<const point<double, 2>> ring) { sink(ring); }
+constexpr bool stroke_outline(std::span<const point<double, 2>> points, const stroke_style& style, Sink&& sink) {
+  return detail::outline_of_stroke<double>(points, style, as_function<void(std::span<const point<double, 2>>)>(sink));
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // The convex pieces of a thick line: rectangles, joins and caps, all of positive orientation.
@@ -159,15 +181,15 @@ struct stroke_pieces {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <class Sink>
-  requires requires(Sink& sink, std::span<const point<double, 2>> ring) { sink(ring); }
-constexpr bool stroke_outline(std::span<const point<double, 2>> points, const stroke_style& style, Sink&& sink) {
-  if (!detail::can_stroke(points, style)) return false;
+template <class T>
+IRG_API bool outline_of_stroke(std::span<const point<T, 2>> points, const stroke_style& style,
+                               const function_ref<void(std::span<const point<T, 2>>)>& sink) {
+  if (!can_stroke(points, style)) return false;
   if (!(style.width > 0) || points.empty()) return true;
-  detail::stroke_pieces<std::remove_reference_t<Sink>> pieces{style, 0.5 * style.width, sink, {}};
-  const std::vector<point<double, 2>> path = detail::without_repeats(points, style.shape);
+  stroke_pieces<const function_ref<void(std::span<const point<double, 2>>)>> pieces{style, 0.5 * style.width, sink, {}};
+  const std::vector<point<double, 2>> path = without_repeats(points, style.shape);
   if (path.size() == 1)
     pieces.dot_at(path[0]);
   else
@@ -175,4 +197,5 @@ constexpr bool stroke_outline(std::span<const point<double, 2>> points, const st
   return true;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -45,9 +45,8 @@ constexpr render_counts draw_depth(Depth& depth, const projected_triangles<T>& t
                                    const draw_depth_options& settings = {}, const E& executor = {}) {
   constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
   draw_workspace own;
-  auto&& rows = detail::rows_of(depth);
-  return detail::draw_tiles<T>(detail::zbuffer_tiles<Order, test>{}, rows, detail::job_of(triangles, settings, own),
-                               detail::depths_alone<T>{}, as_executor(executor));
+  return detail::draw_by_depth<Order, test, T>(depth, detail::job_of(triangles, settings, own),
+                                               detail::depths_alone<T>{}, as_executor(executor));
 }
 
 }  // namespace IRG_ABI

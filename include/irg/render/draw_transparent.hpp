@@ -7,14 +7,16 @@
 // reaches both before and behind a small one this one may be wrong. Cut such triangles into smaller ones.
 #pragma once
 
-#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <irg/colour/over.hpp>
 #include <irg/raster/draw_triangle.hpp>
+#include <irg/render/detail/bin/back_to_front.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
 #include <irg/render/detail/shade/tile_shading.hpp>
 #include <irg/render/draw_triangles.hpp>
 
@@ -119,67 +121,6 @@ struct farthest_depths {
   }
 };
 
-// The depth of a triangle's centroid: z / w of the sum of its corners in clip space. Not in front of the eye counts as
-// nearest of all, and so do triangles that are not drawn because a vertex is not there.
-template <class T>
-struct centroid_depth {
-  T depth = T(0);
-  bool behind_eye = false;
-  std::uint32_t number = 0;
-};
-
-template <class T>
-constexpr centroid_depth<T> centroid_depth_of(const triangle_batch<T>& batch, std::uint32_t i) noexcept {
-  const auto& [v] = batch.triangles[i];
-  const std::uint32_t number = batch.first_number + i;
-  if (!has_vertices(batch, i)) return {T(0), true, number};
-  const hpoint<T, 3> a = clip_position(*batch.vertices, v[0]), b = clip_position(*batch.vertices, v[1]),
-                     c = clip_position(*batch.vertices, v[2]);
-  const T z = a.z + (b.z + c.z), w = a.w + (b.w + c.w);
-  if (!(T(0) < w)) return {T(0), true, number};
-  const T depth = z / w;
-  return {depth == depth ? depth : T(0), false, number};
-}
-
-// The place of every triangle in the order from the farthest to the nearest; of equal ones the first given first.
-template <class Order, class T>
-constexpr std::vector<std::uint32_t> back_to_front(std::span<const triangle_batch<T>> batches, std::uint32_t count) {
-  std::vector<std::uint32_t> place(count, 0);
-  for (std::uint32_t i = 0; i < count; ++i) place[i] = i;
-  if constexpr (!std::same_as<Order, drawing_order>) {
-    std::vector<centroid_depth<T>> all;
-    all.reserve(count);
-    for (const triangle_batch<T>& b : batches)
-      for (std::uint32_t i = 0; i < b.triangles.size(); ++i) all.push_back(centroid_depth_of(b, i));
-    std::sort(all.begin(), all.end(), [](const centroid_depth<T>& a, const centroid_depth<T>& b) {
-      if (a.behind_eye != b.behind_eye) return b.behind_eye;
-      if (a.depth == b.depth) return a.number < b.number;
-      return static_cast<bool>(Order::nearer(b.depth, a.depth));
-    });
-    for (std::uint32_t i = 0; i < count; ++i) place[all[i].number] = i;
-  }
-  return place;
-}
-
-// The lists of all tiles, each put in the order of places. Two counting sorts: by place, then by tile.
-template <class T>
-constexpr std::vector<std::uint32_t> sorted_lists(const triangle_bins& bins, const triangle_finder<T>& find,
-                                                  const std::vector<std::uint32_t>& place, std::size_t tiles) {
-  struct entry {
-    std::uint32_t tile = 0, number = 0;
-  };
-  std::vector<std::uint32_t> start(place.size() + 1, 0), next(bins.tile_first.begin(), bins.tile_first.end());
-  for (const std::uint32_t number : bins.numbers) ++start[place[find.source(number)] + 1];
-  for (std::size_t i = 0; i < place.size(); ++i) start[i + 1] += start[i];
-  std::vector<entry> by_place(bins.numbers.size(), entry{});
-  for (std::size_t t = 0; t < tiles; ++t)
-    for (std::uint32_t i = bins.tile_first[t]; i < bins.tile_first[t + 1]; ++i)
-      by_place[start[place[find.source(bins.numbers[i])]]++] = {static_cast<std::uint32_t>(t), bins.numbers[i]};
-  std::vector<std::uint32_t> numbers(bins.numbers.size(), 0);
-  for (const entry& e : by_place) numbers[next[e.tile]++] = e.number;
-  return numbers;
-}
-
 // How lists of triangles are blended; seen[i] is set for each source triangle i that was not passed over.
 template <class T, class Colour, class Depth, class MakeShader, class Blend>
 struct blended_tiles {
@@ -235,12 +176,11 @@ constexpr render_counts draw_transparent(render_target<Colour, Depth> target, co
                                          const E& executor) {
   const detail::picture_tiles grid(width_of(target.colour), height_of(target.colour));
   const std::span<const triangle_batch<T>> batches = triangles.batches();
+  detail::expect_known_order<Order>();
   detail::triangle_bins bins;
-  detail::bin_triangles(bins, batches, {triangles.mapping(), grid, settings.culling, settings.skip},
-                        as_executor(executor));
+  const std::vector<std::uint32_t> numbers = detail::bin_back_to_front<Order, T>(
+      bins, batches, {triangles.mapping(), grid, settings.culling, settings.skip}, as_executor(executor));
   const detail::triangle_finder<T> find{batches, &bins};
-  const std::vector<std::uint32_t> numbers =
-      detail::sorted_lists<T>(bins, find, detail::back_to_front<Order, T>(batches, bins.triangle_count), grid.count());
   std::vector<std::uint8_t> seen(bins.triangle_count, 0);
   const detail::blended_tiles<T, Colour, Depth, MakeShader, Blend> tiles{
       target.colour, target.depth, find, make_shader, settings.blend, settings.skip.occluded, seen};

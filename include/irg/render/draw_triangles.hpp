@@ -8,6 +8,7 @@
 #include <span>
 
 #include <irg/render/detail/shade/attribute_kernel.hpp>
+#include <irg/render/detail/visible/clear_window.hpp>
 #include <irg/render/detail/visible/tile_driver.hpp>
 
 namespace irg {
@@ -103,12 +104,13 @@ constexpr render_counts shade_batches(render_target<Colour, Depth> target, const
                                       const MakeShader& make_shader, const draw_options<pixel_of<Colour>>& settings,
                                       const E& executor) {
   draw_workspace own;
-  auto&& colour = detail::rows_of(target.colour);
-  auto&& depth = detail::rows_of(target.depth);
-  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, depth, detail::job_of(triangles, settings, own),
-                               detail::colour_tiles<T, std::remove_reference_t<decltype(colour)>, MakeShader>(
-                                   colour, make_shader, settings.clear, settings.background),
-                               as_executor(executor));
+  const detail::tile_job<T> job = detail::job_of(triangles, settings, own);
+  return detail::on_rows(target.colour, [&]<class Rows>(Rows& colour) {
+    return detail::draw_by_depth<Order, detail::test_of<Order>, T>(
+        target.depth, job,
+        detail::colour_tiles<T, Rows, MakeShader>(colour, make_shader, settings.clear, settings.background),
+        as_executor(executor));
+  });
 }
 
 // The old names, spelled out for calls with braces.

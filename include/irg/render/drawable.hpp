@@ -6,10 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
 #include <irg/mesh/normals.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/render/draw_triangles.hpp>
+#endif
 
 namespace irg {
 
@@ -24,6 +27,19 @@ struct drawable {
   bool operator==(const drawable&) const = default;
 };
 
+inline namespace IRG_COMPILED_ABI {
+
+/// The triangles of a mesh. Meshes without normals get the usual vertex normals (the average of the faces around).
+/// needs   a valid mesh (mesh/validate.hpp)
+/// cost    linear; allocates the result
+template <Floating T>
+[[nodiscard]] IRG_API drawable<T> make_drawable(mesh<T> m);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg {
 namespace detail::inline IRG_ABI {
 
 // Numbers the pairs of position and normal that occur in the corners. Pairs of one position form a chain, of which the
@@ -52,13 +68,10 @@ private:
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
-/// The triangles of a mesh. Meshes without normals get the usual vertex normals (the average of the faces around).
-/// needs   a valid mesh (mesh/validate.hpp)
-/// cost    linear; allocates the result
 template <Floating T>
-[[nodiscard]] constexpr drawable<T> make_drawable(mesh<T> m) {
+[[nodiscard]] IRG_API drawable<T> make_drawable(mesh<T> m) {
   bool has_normals = !m.normals.empty();
   for (const mesh_corner& c : m.corners) has_normals = has_normals && c.normal != no_index;
   if (!has_normals) assign_vertex_normals(m, normal_weight::average);
@@ -79,5 +92,6 @@ template <Floating T>
   return out;
 }
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
+#endif

@@ -3,7 +3,7 @@
 // large and simple objects in front are drawn into a small mask; what lies behind it is left out.
 #pragma once
 
-#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,25 +11,24 @@
 
 #include <irg/core/vocabulary.hpp>
 #include <irg/geometry/box.hpp>
-#include <irg/math/floor_division.hpp>
-#include <irg/mesh/mesh.hpp>
-#include <irg/raster/draw_triangle.hpp>
+#include <irg/raster/depth.hpp>
+#include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/screen_mapping.hpp>
+#include <irg/render/detail/occlude/object_extent.hpp>
+#include <irg/render/detail/visible/tile_test.hpp>
+#include <irg/view/frustum.hpp>
+#if IRG_BODIES
+#include <algorithm>
+
+#include <irg/math/floor_division.hpp>
+#include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/triangle_batch.hpp>
 #include <irg/render/detail/bin/scratch_portion.hpp>
 #include <irg/render/detail/occlude/mask_query.hpp>
 #include <irg/render/detail/visible/tile.hpp>
-#include <irg/view/frustum.hpp>
+#endif
 
 namespace irg {
-
-/// What is known of an object before it is drawn: a box around all its positions, and how many triangles it has.
-template <Floating T>
-struct object_extent {
-  box<T, 3> bounds;
-  std::size_t triangles = 0;
-  bool operator==(const object_extent&) const = default;
-};
 
 /// An object that may be left out.
 template <Floating T>
@@ -180,6 +179,57 @@ IRG_INLINE constexpr bool object_culling<T>::unclipped(const box<T, 3>& b) const
   return classify(guard, b) == containment::inside;
 }
 
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v,
+                                                    std::span<const object_extent<T>> objects);
+template <Floating T>
+IRG_API void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> positions,
+                          std::span<const triangle_indices> triangles, face_culling culling);
+template <Floating T>
+IRG_API bool hides_box(const occlusion_view<T>& v, const box<T, 3>& bounds) noexcept;
+template <Floating T>
+IRG_API std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::span<const occludable_object<T>> objects,
+                                                   face_culling culling);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg::detail
+
+namespace irg {
+
+template <Floating T, DepthOrder Order>
+  requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
+[[nodiscard]] IRG_INLINE constexpr std::vector<std::uint32_t> occlusion_culling<T, Order>::choose_occluders(
+    std::span<const object_extent<T>> objects) const {
+  return detail::choose_occluders(view_, objects);
+}
+
+template <Floating T, DepthOrder Order>
+  requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
+IRG_INLINE constexpr void occlusion_culling<T, Order>::add_occluder(std::span<const point<T, 3>> positions,
+                                                                    std::span<const triangle_indices> triangles,
+                                                                    face_culling culling) {
+  detail::add_occluder(view_, positions, triangles, culling);
+}
+
+template <Floating T, DepthOrder Order>
+  requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
+[[nodiscard]] IRG_INLINE constexpr bool occlusion_culling<T, Order>::hides(const box<T, 3>& bounds) const noexcept {
+  return detail::hides_box(view_, bounds);
+}
+
+template <Floating T, DepthOrder Order>
+  requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
+IRG_INLINE constexpr std::vector<std::uint32_t> occlusion_culling<T, Order>::visible_objects(
+    std::span<const occludable_object<T>> objects, face_culling culling) {
+  return detail::visible_objects(view_, objects, culling);
+}
+
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail {
 inline namespace IRG_ABI {
 
 // What large triangles hide, by blocks of 8 x 8 pixels: for each block a key that no pixel of it lies behind, and one
@@ -390,8 +440,7 @@ constexpr std::int64_t pixels_of(const occlusion_view<T>& v, const box<T, 3>& bo
 
 // See occlusion_culling::choose_occluders; object(i) has the bounds of object i, and how many triangles it has.
 template <class T, class Object>
-constexpr std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v, std::size_t count,
-                                                      const Object& object) {
+constexpr std::vector<std::uint32_t> choose_among(const occlusion_view<T>& v, std::size_t count, const Object& object) {
   std::vector<std::uint32_t> occluders;
   std::vector<occluder_worth> candidates;
   if (count < 2 || !v.has_pixels()) return occluders;
@@ -417,9 +466,19 @@ constexpr std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v
   return occluders;
 }
 
-template <class T>
-constexpr void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> positions,
-                            std::span<const triangle_indices> triangles, face_culling culling) {
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API std::vector<std::uint32_t> choose_occluders(const occlusion_view<T>& v,
+                                                    std::span<const object_extent<T>> objects) {
+  return choose_among(v, objects.size(), [&](std::size_t i) -> auto& { return objects[i]; });
+}
+
+template <Floating T>
+IRG_API void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> positions,
+                          std::span<const triangle_indices> triangles, face_culling culling) {
   if (!v.has_pixels()) return;
   if (v.mask.layer.empty()) clear_block_mask(v.mask, v.width, v.height, v.sign, v.farthest);
   project_vertices<T>(positions, v.to_clip, v.mapping, v.vertices);
@@ -431,23 +490,23 @@ constexpr void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> p
                   [&](const triangle_corners& c) { draw_block_mask(v.mask, *c.v[0], *c.v[1], *c.v[2]); });
 }
 
-template <class T>
-constexpr bool hides_box(const occlusion_view<T>& v, const box<T, 3>& bounds) noexcept {
+template <Floating T>
+IRG_API bool hides_box(const occlusion_view<T>& v, const box<T, 3>& bounds) noexcept {
   // What is clipped is rounded once more, so that its box would not be sure to hold it.
   if (v.mask.layer.empty() || !v.frustum.unclipped(bounds)) return false;
   const mask_rectangle r = rectangle_of(v, bounds);
   return r.where == mask_place::on_screen && hidden_by_blocks(v.mask, r.pixels, r.key);
 }
 
-template <class T, class Object>
-constexpr std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::span<const Object> objects,
-                                                     face_culling culling) {
+template <Floating T>
+IRG_API std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::span<const occludable_object<T>> objects,
+                                                   face_culling culling) {
   struct extent {
     const box<T, 3>& bounds;
     std::size_t triangles;
   };
   const auto extent_of = [&](std::size_t i) { return extent{objects[i].bounds, objects[i].triangles.size()}; };
-  for (const std::uint32_t i : choose_occluders(v, objects.size(), extent_of))
+  for (const std::uint32_t i : choose_among(v, objects.size(), extent_of))
     add_occluder<T>(v, objects[i].positions, objects[i].triangles, culling);
   std::vector<std::uint32_t> visible;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
@@ -455,37 +514,6 @@ constexpr std::vector<std::uint32_t> visible_objects(occlusion_view<T>& v, std::
   return visible;
 }
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
-
-namespace irg {
-
-template <Floating T, DepthOrder Order>
-  requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
-[[nodiscard]] IRG_INLINE constexpr std::vector<std::uint32_t> occlusion_culling<T, Order>::choose_occluders(
-    std::span<const object_extent<T>> objects) const {
-  return detail::choose_occluders(view_, objects.size(), [&](std::size_t i) -> auto& { return objects[i]; });
-}
-
-template <Floating T, DepthOrder Order>
-  requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
-IRG_INLINE constexpr void occlusion_culling<T, Order>::add_occluder(std::span<const point<T, 3>> positions,
-                                                                    std::span<const triangle_indices> triangles,
-                                                                    face_culling culling) {
-  detail::add_occluder(view_, positions, triangles, culling);
-}
-
-template <Floating T, DepthOrder Order>
-  requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
-[[nodiscard]] IRG_INLINE constexpr bool occlusion_culling<T, Order>::hides(const box<T, 3>& bounds) const noexcept {
-  return detail::hides_box(view_, bounds);
-}
-
-template <Floating T, DepthOrder Order>
-  requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
-IRG_INLINE constexpr std::vector<std::uint32_t> occlusion_culling<T, Order>::visible_objects(
-    std::span<const occludable_object<T>> objects, face_culling culling) {
-  return detail::visible_objects(view_, objects, culling);
-}
-
-}  // namespace irg
+#endif

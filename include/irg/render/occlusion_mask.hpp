@@ -4,17 +4,29 @@
 // "occluded" is certain; "visible" may be wrong.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include <irg/core/executor.hpp>
+#include <irg/core/sinks.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/math/mat.hpp>
+#include <irg/raster/depth.hpp>
+#include <irg/raster/draw_counts.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/render/detail/occlude/mask_query.hpp>
+#include <irg/raster/triangle_batch.hpp>
+#include <irg/render/detail/bin/drawing_lists.hpp>
+#include <irg/render/detail/visible/tile_test.hpp>
+#if IRG_BODIES
+#include <limits>
+
 #include <irg/render/detail/bin/scratch_portion.hpp>
-#include <irg/render/draw_depth.hpp>
+#include <irg/render/detail/occlude/mask_query.hpp>
+#include <irg/render/detail/visible/tile_driver.hpp>
+#endif
 
 namespace irg {
 
@@ -73,115 +85,29 @@ IRG_INLINE constexpr float depth_of(const occluder_depths& m, int x, int y) noex
   return m.touched[m.tile_of(x, y)] != 0 ? m.pixels(x, y) : Order::farthest;
 }
 
-// The farthest keys of what a tile shows; beside the window, keys are infinite.
-constexpr farthest_keys farthest_of(const visible_window& v) noexcept {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  farthest_keys keys{infinity, {}};
-  const int height = v.window.y_last - v.window.y_first;
-  for (int by = 0; by < blocks_across; ++by) {
-    float least[tile_size];
-    for (float& column : least) column = infinity;
-    for (int y = by * block_size; y < minimum((by + 1) * block_size, height); ++y)
-      for (int x = 0; x < tile_size; ++x) least[x] = minimum(v.key[y * tile_stride + x], least[x]);
-    for (int bx = 0; bx < blocks_across; ++bx) {
-      float& block = keys.block[by * blocks_across + bx] = infinity;
-      for (int x = 0; x < block_size; ++x) block = minimum(least[bx * block_size + x], block);
-      keys.tile = minimum(block, keys.tile);
-    }
-  }
-  return keys;
-}
+}  // namespace IRG_ABI
 
-// Keeps the farthest keys of a tile.
-template <class T>
-struct keep_farthest final : tile_finish<T> {
-  farthest_keys& farthest;
+inline namespace IRG_COMPILED_ABI {
 
-  constexpr explicit keep_farthest(farthest_keys& to) noexcept : farthest(to) {}
-  constexpr void clear(const cell_window&) const override {}
-  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>&) const override {
-    farthest = farthest_of(v);
-    return 0;
-  }
-};
-
-template <class Order, class T>
-constexpr void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
-                              const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor) {
-  triangle_bins& bins = m.lists.bins;
-  bin_triangles(bins, batches, {mapping, m.grid, culling}, executor);
-  m.lists.seen.assign(bins.triangle_count, 0);
-  executor(m.grid.count(), [&](std::size_t i) {
-    if (bins.list_of(i).empty()) return;
-    const clearing clear = m.touched[i] == 0 ? clearing::before_drawing : clearing::none;
-    const tile_job<T> job{batches, mapping, m.lists, culling, skip_options{}, clear};
-    zbuffer_tiles<Order, tile_test::depth_only>{}(m.pixels, job, i, keep_farthest<T>(m.farthest[i]));
-    m.touched[i] = 1;
-  });
-}
+template <class Order, Floating T>
+IRG_API void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
+                            const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor);
 
 // What is to be said of a rectangle whose depth is `nearest` everywhere: by its tiles, blocks and pixels, as far as
 // each leave it undecided.
 template <class Order>
-constexpr occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
-                                   occlusion_counts& work) noexcept {
-  const cell_window w = intersect(pixels, m.picture());
-  if (w.empty()) return occlusion::outside;
-  if (!(nearest == nearest)) return occlusion::visible;
-  const float key = product(nearest, key_sign<Order>);
-  const bool seen = any_square(w, tile_size, [&](const cell_window& in_tile, int, int) {
-    const std::size_t i = m.tile_of(in_tile.x_first, in_tile.y_first);
-    ++work.tiles;
-    if (m.touched[i] == 0) return Order::nearer(nearest, Order::farthest);
-    if (key <= m.farthest[i].tile) return false;
-    return any_square(in_tile, block_size, [&](const cell_window& in_block, int, int) {
-      ++work.blocks;
-      if (key <= m.farthest[i].block[block_of(in_block.x_first, in_block.y_first)]) return false;
-      return any_square(in_block, 1, [&](const cell_window&, int x, int y) {
-        ++work.pixels;
-        return Order::nearer(nearest, m.pixels(x, y));
-      });
-    });
-  });
-  return seen ? occlusion::visible : occlusion::occluded;
-}
-
-// A triangle on the screen: as a rectangle, then by its pixels.
-template <class Order>
-constexpr occlusion test_triangle(const occluder_depths& m, const triangle_corners& c, occlusion_counts& work) {
-  const auto& [v0, v1, v2] = c.v;
-  const auto nearer_of = [](float a, float b) { return Order::nearer(a, b) ? a : b; };
-  const cell_window bounds = cover_triangle(v0->position, v1->position, v2->position).bounds;
-  const float nearest = nearer_of(nearer_of(v0->depth, v1->depth), v2->depth);
-  const occlusion rectangle = test_rectangle<Order>(m, bounds, nearest, work);
-  if (rectangle != occlusion::visible) return rectangle;
-  bool any = false, seen = false;
-  const covered_triangle t = cover_and_set_up(*v0, *v1, *v2);
-  covered_spans(t.coverage, m.picture(), [&](const span_of_cells& s) {
-    any = true;
-    for (int x = s.x_first; x < s.x_last && !seen; ++x) {
-      ++work.pixels;
-      seen = Order::nearer(depth_at(t.setup, x, s.y), depth_of<Order>(m, x, s.y));
-    }
-  });
-  return seen ? occlusion::visible : any ? occlusion::occluded : occlusion::outside;
-}
-
+IRG_API occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
+                                 occlusion_counts& work) noexcept;
+// The same of a box.
+template <class Order, Floating T>
+IRG_API occlusion test_box(const occluder_depths& m, const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
+                           occlusion_counts& work) noexcept;
 // The triangles of a batch, until one is visible.
-template <class Order, class T>
-constexpr occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
-                                   const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work) {
-  bin_portion scratch = scratch_portion(m.grid);
-  occlusion answer = occlusion::outside;
-  for (std::uint32_t i = 0; i < batch.triangles.size() && answer != occlusion::visible; ++i)
-    list_and_draw(scratch, batch, i, {mapping, m.grid, culling}, [&](const triangle_corners& c) {
-      const occlusion one = test_triangle<Order>(m, c, work);
-      if (one == occlusion::visible || answer == occlusion::outside) answer = one;
-    });
-  return answer;
-}
+template <class Order, Floating T>
+IRG_API occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
+                                 const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work);
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
 /// The depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile.
@@ -241,11 +167,9 @@ public:
   template <Floating T>
   IRG_INLINE constexpr occlusion test(const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
                                       occlusion_counts* counts = nullptr) const noexcept {
-    constexpr float sign = detail::key_sign<Order>;
-    const detail::mask_rectangle r = detail::project_box(bounds, to_clip, width(), height(), sign);
-    if (r.where == detail::mask_place::outside) return count(occlusion::outside, {}, counts);
-    if (r.where == detail::mask_place::before_the_eye) return count(occlusion::visible, {}, counts);
-    return test(r.pixels, product(r.key, sign), counts);
+    occlusion_counts work;
+    const occlusion answer = detail::test_box<Order>(memory_, bounds, to_clip, work);
+    return count(answer, work, counts);
   }
 
   /// Whether something in a rectangle of pixels, nowhere nearer than `nearest`, could be seen.
@@ -309,3 +233,130 @@ private:
 };
 
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// The farthest keys of what a tile shows; beside the window, keys are infinite.
+constexpr farthest_keys farthest_of(const visible_window& v) noexcept {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  farthest_keys keys{infinity, {}};
+  const int height = v.window.y_last - v.window.y_first;
+  for (int by = 0; by < blocks_across; ++by) {
+    float least[tile_size];
+    for (float& column : least) column = infinity;
+    for (int y = by * block_size; y < minimum((by + 1) * block_size, height); ++y)
+      for (int x = 0; x < tile_size; ++x) least[x] = minimum(v.key[y * tile_stride + x], least[x]);
+    for (int bx = 0; bx < blocks_across; ++bx) {
+      float& block = keys.block[by * blocks_across + bx] = infinity;
+      for (int x = 0; x < block_size; ++x) block = minimum(least[bx * block_size + x], block);
+      keys.tile = minimum(block, keys.tile);
+    }
+  }
+  return keys;
+}
+
+// Keeps the farthest keys of a tile.
+template <class T>
+struct keep_farthest final : tile_finish<T> {
+  farthest_keys& farthest;
+
+  constexpr explicit keep_farthest(farthest_keys& to) noexcept : farthest(to) {}
+  constexpr void clear(const cell_window&) const override {}
+  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>&) const override {
+    farthest = farthest_of(v);
+    return 0;
+  }
+};
+
+// A triangle on the screen: as a rectangle, then by its pixels.
+template <class Order>
+constexpr occlusion test_triangle(const occluder_depths& m, const triangle_corners& c, occlusion_counts& work) {
+  const auto& [v0, v1, v2] = c.v;
+  const auto nearer_of = [](float a, float b) { return Order::nearer(a, b) ? a : b; };
+  const cell_window bounds = cover_triangle(v0->position, v1->position, v2->position).bounds;
+  const float nearest = nearer_of(nearer_of(v0->depth, v1->depth), v2->depth);
+  const occlusion rectangle = test_rectangle<Order>(m, bounds, nearest, work);
+  if (rectangle != occlusion::visible) return rectangle;
+  bool any = false, seen = false;
+  const covered_triangle t = cover_and_set_up(*v0, *v1, *v2);
+  covered_spans(t.coverage, m.picture(), [&](const span_of_cells& s) {
+    any = true;
+    for (int x = s.x_first; x < s.x_last && !seen; ++x) {
+      ++work.pixels;
+      seen = Order::nearer(depth_at(t.setup, x, s.y), depth_of<Order>(m, x, s.y));
+    }
+  });
+  return seen ? occlusion::visible : any ? occlusion::occluded : occlusion::outside;
+}
+
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
+template <class Order, Floating T>
+IRG_API void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
+                            const screen_mapping<T>& mapping, face_culling culling, const executor_ref& executor) {
+  triangle_bins& bins = m.lists.bins;
+  bin_triangles(bins, batches, {mapping, m.grid, culling}, executor);
+  m.lists.seen.assign(bins.triangle_count, 0);
+  executor(m.grid.count(), [&](std::size_t i) {
+    if (bins.list_of(i).empty()) return;
+    const clearing clear = m.touched[i] == 0 ? clearing::before_drawing : clearing::none;
+    const tile_job<T> job{batches, mapping, m.lists, culling, skip_options{}, clear};
+    zbuffer_tiles<Order, tile_test::depth_only>{}(m.pixels, job, i, keep_farthest<T>(m.farthest[i]));
+    m.touched[i] = 1;
+  });
+}
+
+template <class Order>
+IRG_API occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
+                                 occlusion_counts& work) noexcept {
+  const cell_window w = intersect(pixels, m.picture());
+  if (w.empty()) return occlusion::outside;
+  if (!(nearest == nearest)) return occlusion::visible;
+  const float key = product(nearest, key_sign<Order>);
+  const bool seen = any_square(w, tile_size, [&](const cell_window& in_tile, int, int) {
+    const std::size_t i = m.tile_of(in_tile.x_first, in_tile.y_first);
+    ++work.tiles;
+    if (m.touched[i] == 0) return Order::nearer(nearest, Order::farthest);
+    if (key <= m.farthest[i].tile) return false;
+    return any_square(in_tile, block_size, [&](const cell_window& in_block, int, int) {
+      ++work.blocks;
+      if (key <= m.farthest[i].block[block_of(in_block.x_first, in_block.y_first)]) return false;
+      return any_square(in_block, 1, [&](const cell_window&, int x, int y) {
+        ++work.pixels;
+        return Order::nearer(nearest, m.pixels(x, y));
+      });
+    });
+  });
+  return seen ? occlusion::visible : occlusion::occluded;
+}
+
+template <class Order, Floating T>
+IRG_API occlusion test_box(const occluder_depths& m, const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
+                           occlusion_counts& work) noexcept {
+  constexpr float sign = key_sign<Order>;
+  const mask_rectangle r = project_box(bounds, to_clip, m.grid.width, m.grid.height, sign);
+  if (r.where == mask_place::outside) return occlusion::outside;
+  if (r.where == mask_place::before_the_eye) return occlusion::visible;
+  return test_rectangle<Order>(m, r.pixels, product(r.key, sign), work);
+}
+
+template <class Order, Floating T>
+IRG_API occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
+                                 const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work) {
+  bin_portion scratch = scratch_portion(m.grid);
+  occlusion answer = occlusion::outside;
+  for (std::uint32_t i = 0; i < batch.triangles.size() && answer != occlusion::visible; ++i)
+    list_and_draw(scratch, batch, i, {mapping, m.grid, culling}, [&](const triangle_corners& c) {
+      const occlusion one = test_triangle<Order>(m, c, work);
+      if (one == occlusion::visible || answer == occlusion::outside) answer = one;
+    });
+  return answer;
+}
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg::detail
+#endif

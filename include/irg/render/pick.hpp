@@ -3,15 +3,20 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
+
+#include <irg/core/sinks.hpp>
+#include <irg/core/vocabulary.hpp>
+#include <irg/render/prepared_scene.hpp>
+#if IRG_BODIES
+#include <cstdint>
 #include <vector>
 
 #include <irg/raster/face_order.hpp>
 #include <irg/raster/screen_face.hpp>
-#include <irg/render/prepared_scene.hpp>
 #include <irg/render/visibility_buffer.hpp>
 #include <irg/render/window_faces.hpp>
+#endif
 
 namespace irg {
 
@@ -23,7 +28,7 @@ struct picked_point {
   bool operator==(const picked_point&) const = default;
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// What is seen in a pixel of a picture of this size.
 /// needs   as render
@@ -32,8 +37,35 @@ inline namespace IRG_ABI {
 /// cost    the vertices and triangles once, as for a picture, then the triangles of one tile: for a click. All pixels
 ///         of a picture: draw_visibility
 template <Floating T>
-constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, const extent2& size, cell pixel,
-                                              face_culling culling = face_culling::back) {
+IRG_API std::optional<picked_point<T>> pick(prepared_scene<T>& world, const extent2& size, cell pixel,
+                                            face_culling culling = face_culling::back);
+
+/// The same of a scene as it is, for one click.
+/// cost    as prepare_scene, too
+template <Floating T>
+[[nodiscard]] IRG_API std::optional<picked_point<T>> pick(const scene<T>& world, const extent2& size, cell pixel,
+                                                          face_culling culling = face_culling::back);
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+// A size that is a cell, which no bare braces are.
+template <class World, std::same_as<cell> Size>
+[[deprecated("irg: pick(world, extent2{width, height}, pixel)")]] constexpr auto pick(
+    World&& world, const Size& size, cell pixel, face_culling culling = face_culling::back) {
+  return pick(world, extent2{size.x, size.y}, pixel, culling);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API std::optional<picked_point<T>> pick(prepared_scene<T>& world, const extent2& size, cell pixel,
+                                            face_culling culling) {
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return std::nullopt;
   const screen_mapping<T> mapping = map_to_screen<T>(size);
   const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(size.width) / static_cast<T>(size.height));
@@ -74,21 +106,12 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, const ex
   return picked_point<T>{batch.object, body.face_of[triangle], p + along};
 }
 
-/// The same of a scene as it is, for one click.
-/// cost    as prepare_scene, too
 template <Floating T>
-[[nodiscard]] constexpr std::optional<picked_point<T>> pick(const scene<T>& world, const extent2& size, cell pixel,
-                                                            face_culling culling = face_culling::back) {
+[[nodiscard]] IRG_API std::optional<picked_point<T>> pick(const scene<T>& world, const extent2& size, cell pixel,
+                                                          face_culling culling) {
   prepared_scene<T> ready = prepare_scene(world);
   return pick(ready, size, pixel, culling);
 }
 
-// A size that is a cell, which no bare braces are.
-template <class World, std::same_as<cell> Size>
-[[deprecated("irg: pick(world, extent2{width, height}, pixel)")]] constexpr auto pick(
-    World&& world, const Size& size, cell pixel, face_culling culling = face_culling::back) {
-  return pick(world, extent2{size.x, size.y}, pixel, culling);
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -8,11 +8,16 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/render/draw_triangles.hpp>
+#include <irg/raster/projected_vertices.hpp>
+#include <irg/render/detail/bin/drawing_lists.hpp>
+#include <irg/render/detail/occlude/object_extent.hpp>
 #include <irg/render/drawable.hpp>
-#include <irg/render/occlusion_culling.hpp>
+#include <irg/render/options.hpp>
 #include <irg/scene/scene.hpp>
+#if IRG_BODIES
+#include <irg/render/occlusion_culling.hpp>
 #include <irg/view/affine.hpp>
+#endif
 
 namespace irg {
 namespace detail {
@@ -90,19 +95,29 @@ struct prepared_scene {
   draw_workspace workspace;  // belongs to render()
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// A box around an object in the world, and the number of its triangles.
 /// cost    one pass over the positions
 template <Floating T>
-[[nodiscard]] constexpr object_extent<T> extent_of(const object<T>& o) noexcept {
-  object_extent<T> e{{}, o.shape.corners.size() - 2 * o.shape.face_count()};
-  for (const point<T, 3>& p : o.shape.positions) e.bounds = bounding_box(e.bounds, transform_point(o.placement, p));
-  return e;
-}
+[[nodiscard]] IRG_API object_extent<T> extent_of(const object<T>& o) noexcept;
 
-}  // namespace IRG_ABI
+/// An object made ready: moved into the world, cut into triangles, with normals where it had none.
+/// needs   a mesh whose faces have no defect that validate (mesh/validate.hpp) knows
+/// cost    linear, and ear clipping for faces of more than three corners; allocates the result
+template <Floating T>
+[[nodiscard]] IRG_API prepared_object<T> prepare_object(const object<T>& o);
 
+/// A scene made ready, all of its objects prepared.
+/// needs   as prepare_object
+template <Floating T>
+[[nodiscard]] IRG_API prepared_scene<T> prepare_scene(const scene<T>& world);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg {
 namespace detail::inline IRG_ABI {
 
 // All of an object but its extent.
@@ -115,28 +130,31 @@ constexpr void prepare_rest(prepared_object<T>& to, const object<T>& from) {
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
-/// An object made ready: moved into the world, cut into triangles, with normals where it had none.
-/// needs   a mesh whose faces have no defect that validate (mesh/validate.hpp) knows
-/// cost    linear, and ear clipping for faces of more than three corners; allocates the result
 template <Floating T>
-[[nodiscard]] constexpr prepared_object<T> prepare_object(const object<T>& o) {
+[[nodiscard]] IRG_API object_extent<T> extent_of(const object<T>& o) noexcept {
+  object_extent<T> e{{}, o.shape.corners.size() - 2 * o.shape.face_count()};
+  for (const point<T, 3>& p : o.shape.positions) e.bounds = bounding_box(e.bounds, transform_point(o.placement, p));
+  return e;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API prepared_object<T> prepare_object(const object<T>& o) {
   prepared_object<T> made;
   made.extent = extent_of(o);
   detail::prepare_rest(made, o);
   return made;
 }
 
-/// A scene made ready, all of its objects prepared.
-/// needs   as prepare_object
 template <Floating T>
-[[nodiscard]] constexpr prepared_scene<T> prepare_scene(const scene<T>& world) {
+[[nodiscard]] IRG_API prepared_scene<T> prepare_scene(const scene<T>& world) {
   prepared_scene<T> ready{{}, world.view, world.lights, world.ambient, world.distance, world.k, {}};
   ready.objects.reserve(world.objects.size());
   for (const object<T>& o : world.objects) ready.objects.push_back(prepare_object(o));
   return ready;
 }
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
+#endif

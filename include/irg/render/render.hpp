@@ -6,17 +6,27 @@
 #include <span>
 #include <vector>
 
-#include <irg/mesh/convex_body.hpp>
-#include <irg/mesh/validate.hpp>
+#include <irg/core/contract.hpp>
+#include <irg/core/executor.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/render/detail/shade/object_shading.hpp>
-#include <irg/render/detail/visible/method_tiles.hpp>
+#include <irg/render/detail/visible/draw_target.hpp>
 #include <irg/render/options.hpp>
 #include <irg/render/prepared_scene.hpp>
-#include <irg/render/wireframe.hpp>
+#include <irg/render/window_faces.hpp>
 #include <irg/scene/scene.hpp>
+#if IRG_BODIES
+#include <irg/mesh/convex_body.hpp>
+#include <irg/mesh/validate.hpp>
+#include <irg/render/detail/shade/object_shading.hpp>
+#include <irg/render/detail/visible/method_tiles.hpp>
+#include <irg/render/draw_triangles.hpp>
+#include <irg/render/occlusion_culling.hpp>
+#include <irg/raster/fill_span.hpp>
+#include <irg/render/wireframe.hpp>
 #include <irg/shade/intensity_range.hpp>
 #include <irg/shade/per_channel.hpp>
+#endif
 
 namespace irg {
 
@@ -82,6 +92,88 @@ constexpr render_counts render(prepared_scene<T>& world, render_target<Colour, D
 
 namespace irg::detail {
 
+// Where a picture goes, and who takes part.
+template <class Colour, class Depth>
+struct picture_run {
+  Colour& colour;
+  Depth& depth;
+  const executor_ref& executor;
+  const function_ref<void(render_stage)>& observer;
+};
+template <class Colour, class Depth>
+picture_run(Colour&, Depth&, const executor_ref&, const function_ref<void(render_stage)>&)
+    -> picture_run<Colour, Depth>;
+
+// A hidden-surface method of the caller's, and whether it finds the nearest face.
+template <class T>
+struct window_method {
+  const method_ref<T>& method;
+  bool finds_nearest;
+};
+
+inline namespace IRG_COMPILED_ABI {
+
+// Whether no mesh's faces have a defect.
+template <Floating T>
+IRG_API bool has_valid_faces(const scene<T>& world) noexcept;
+template <Floating T, class Colour, class Depth>
+IRG_API render_counts render_scene(const scene<T>& world, const render_options& options,
+                                   const picture_run<Colour, Depth>& run);
+template <Floating T, class Colour, class Depth>
+IRG_API render_counts render_by(const window_method<T>& by, const scene<T>& world, render_options options,
+                                const picture_run<Colour, Depth>& run);
+template <Floating T, class Colour, class Depth>
+IRG_API render_counts render_prepared(prepared_scene<T>& world, const render_options& options,
+                                      const picture_run<Colour, Depth>& run);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg::detail
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
+  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
+constexpr render_counts render(const scene<T>& world, render_target<Colour, Depth> target,
+                               const render_options& options, const E& executor, Observer&& observer) {
+  IRG_EXPECTS(detail::has_valid_faces(world));
+  return detail::on_rows_of(target, [&](auto& colour, auto& depth) {
+    return detail::render_scene(
+        world, options,
+        detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
+  });
+}
+
+template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E>
+  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
+constexpr render_counts render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
+                                    render_options options, const E& executor) {
+  bool finds_nearest = false;
+  if constexpr (requires { method.finds_nearest(); }) finds_nearest = method.finds_nearest();
+  const auto by = as_function<detail::method_signature<T>>(method);
+  const no_observer observer;
+  return detail::on_rows_of(target, [&](auto& colour, auto& depth) {
+    return detail::render_by(
+        detail::window_method<T>{by, finds_nearest}, world, options,
+        detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
+  });
+}
+
+template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
+  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
+constexpr render_counts render(prepared_scene<T>& world, render_target<Colour, Depth> target,
+                               const render_options& options, const E& executor, Observer&& observer) {
+  return detail::on_rows_of(target, [&](auto& colour, auto& depth) {
+    return detail::render_prepared(
+        world, options,
+        detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
+  });
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail {
+
 // A picture is made in stages, each a function of what the one before left:
 //   scene      the objects, as they were modelled
 //   prepared   those that are not seen to be hidden, in the world, as triangles  (prepared_object, select_objects)
@@ -111,18 +203,6 @@ struct projected_objects {
   std::vector<object_shading<T>> shadings;  // of the drawn ones
   std::vector<triangle_batch<T>> batches;
 };
-
-// Where a picture goes, and who takes part.
-template <class Colour, class Depth>
-struct picture_run {
-  Colour& colour;
-  Depth& depth;
-  const executor_ref& executor;
-  const function_ref<void(render_stage)>& observer;
-};
-template <class Colour, class Depth>
-picture_run(Colour&, Depth&, const executor_ref&, const function_ref<void(render_stage)>&)
-    -> picture_run<Colour, Depth>;
 
 inline namespace IRG_ABI {
 
@@ -370,67 +450,55 @@ constexpr render_counts draw_picture(const picture_frame<T>& f, const picture_ob
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
-  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_counts render(const scene<T>& world, render_target<Colour, Depth> target,
-                               const render_options& options, const E& executor, Observer&& observer) {
-  const int width = width_of(target.colour), height = height_of(target.colour);
-  for ([[maybe_unused]] const object<T>& o : world.objects)
-    IRG_EXPECTS(validate_faces(o.shape).defect == mesh_defect::none);
-  if (width == 0 || height == 0) return {};
-  auto&& colour = detail::rows_of(target.colour);
-  auto&& depth = detail::rows_of(target.depth);
-  std::vector<prepared_object<T>> made = detail::extents_of<T>(world.objects);
-  detail::drawing_lists lists;
-  return detail::draw_picture<T>(
-      {world, width, height, options}, {made, world.objects}, detail::all_numbers(made.size()), lists,
-      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
+template <Floating T>
+IRG_API bool has_valid_faces(const scene<T>& world) noexcept {
+  for (const object<T>& o : world.objects)
+    if (validate_faces(o.shape).defect != mesh_defect::none) return false;
+  return true;
 }
 
-template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E>
-  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_counts render_with(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
-                                    render_options options, const E& executor) {
-  const int width = width_of(target.colour), height = height_of(target.colour);
+template <Floating T, class Colour, class Depth>
+IRG_API render_counts render_scene(const scene<T>& world, const render_options& options,
+                                   const picture_run<Colour, Depth>& run) {
+  const int width = width_of(run.colour), height = height_of(run.colour);
+  if (width == 0 || height == 0) return {};
+  std::vector<prepared_object<T>> made = extents_of<T>(world.objects);
+  drawing_lists lists;
+  return draw_picture<T>({world, width, height, options}, {made, world.objects}, all_numbers(made.size()), lists, run);
+}
+
+template <Floating T, class Colour, class Depth>
+IRG_API render_counts render_by(const window_method<T>& by, const scene<T>& world, render_options options,
+                                const picture_run<Colour, Depth>& run) {
+  const int width = width_of(run.colour), height = height_of(run.colour);
   if (width == 0 || height == 0) return {};
   options.skip.occluded = skipping::off;
   if (options.style == picture_style::wire) options.style = picture_style::flat;
-  const auto executor_of_all = as_executor(executor);
-  const no_observer observer;
-  const auto nobody = as_function<void(render_stage)>(observer);
-  std::vector<prepared_object<T>> made = detail::extents_of<T>(world.objects);
-  const detail::picture_frame<T> frame(world, width, height, options);
-  const detail::projected_objects<T> seen = detail::project_objects<T>(
-      frame, {made, world.objects}, detail::all_numbers(made.size()), executor_of_all, nobody);
-  detail::convex_bodies bodies;
-  bool fronts = false;
-  if constexpr (requires { method.finds_nearest(); })
-    fronts = method.finds_nearest() && options.culling == face_culling::back && options.skip.convex == skipping::on;
+  std::vector<prepared_object<T>> made = extents_of<T>(world.objects);
+  const picture_frame<T> frame(world, width, height, options);
+  const projected_objects<T> seen =
+      project_objects<T>(frame, {made, world.objects}, all_numbers(made.size()), run.executor, run.observer);
+  convex_bodies bodies;
+  const bool fronts = by.finds_nearest && options.culling == face_culling::back && options.skip.convex == skipping::on;
   if (fronts)
     for (std::size_t i = 0; i < seen.batches.size(); ++i)
       if (is_convex_body(world.objects[seen.chosen.drawn[i]].shape)) bodies.note(seen.batches[i]);
-  auto&& colour = detail::rows_of(target.colour);
-  auto&& depth = detail::rows_of(target.depth);
   image<std::uint32_t> ids(width, height, no_index);
-  detail::drawing_lists lists;
-  return detail::draw_objects(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
-                              frame, seen, lists, detail::picture_run{colour, depth, executor_of_all, nobody});
+  drawing_lists lists;
+  return draw_objects(method_tiles<nearer_is_greater, T>{by.method, ids, fronts ? &bodies : nullptr}, frame, seen,
+                      lists, run);
 }
 
-template <Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
-  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_counts render(prepared_scene<T>& world, render_target<Colour, Depth> target,
-                               const render_options& options, const E& executor, Observer&& observer) {
-  const int width = width_of(target.colour), height = height_of(target.colour);
+template <Floating T, class Colour, class Depth>
+IRG_API render_counts render_prepared(prepared_scene<T>& world, const render_options& options,
+                                      const picture_run<Colour, Depth>& run) {
+  const int width = width_of(run.colour), height = height_of(run.colour);
   if (width == 0 || height == 0) return {};
-  auto&& colour = detail::rows_of(target.colour);
-  auto&& depth = detail::rows_of(target.depth);
-  return detail::draw_picture<T>(
-      {world, width, height, options}, {world.objects}, detail::all_numbers(world.objects.size()),
-      detail::lists_of(world.workspace),
-      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
+  return draw_picture<T>({world, width, height, options}, {world.objects}, all_numbers(world.objects.size()),
+                         lists_of(world.workspace), run);
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -7,18 +7,24 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <span>
-#include <utility>
 #include <vector>
+
+#include <irg/core/contract.hpp>
+#include <irg/core/executor.hpp>
+#include <irg/core/sinks.hpp>
+#include <irg/render/prepared_scene.hpp>
+#include <irg/render/render.hpp>
+#include <irg/visibility/cell_plan.hpp>
+#if IRG_BODIES
+#include <limits>
+#include <utility>
 
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/raster/window.hpp>
-#include <irg/render/prepared_scene.hpp>
-#include <irg/render/render.hpp>
 #include <irg/visibility/view_through_portals.hpp>
+#endif
 
 namespace irg {
 
@@ -31,7 +37,7 @@ struct prepared_rooms {
   prepared_scene<T> world;
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// For each cell the pixels of a picture in which something of it may be seen; an empty window where nothing can.
 /// needs   a plan without defects, its graph, a size from 1 x 1 to 65536 x 65536
@@ -42,8 +48,13 @@ inline namespace IRG_ABI {
 /// cost    the portals that are seen, each projected once; a room is looked at again where its rectangle grows
 /// source  Luebke and Georges 1995
 template <Floating T>
-[[nodiscard]] constexpr std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
-                                                               const camera<T>& view, const extent2& size);
+[[nodiscard]] IRG_API std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
+                                                             const camera<T>& view, const extent2& size);
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
 template <Floating T>
 [[nodiscard, deprecated("irg: visible_rooms(plan, doors, view, {width, height})")]] constexpr std::vector<cell_window>
 visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors, const camera<T>& view, int width, int height) {
@@ -68,6 +79,32 @@ constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour
 }  // namespace IRG_ABI
 }  // namespace irg
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, class Colour, class Depth>
+IRG_API render_counts render_building(prepared_rooms<T>& building, const render_options& options,
+                                      const picture_run<Colour, Depth>& run);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, RowRaster Colour, RowRaster Depth, Executor E>
+  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
+constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
+                               const render_options& options, const E& executor) {
+  IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());
+  const no_observer observer;
+  return detail::on_rows_of(target, [&](auto& colour, auto& depth) {
+    return detail::render_building(
+        building, options,
+        detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
+  });
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // Which pixels may show something of each room of a building, by the rectangles of its portals.
@@ -166,22 +203,24 @@ private:
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
-                                                               const camera<T>& view, const extent2& size) {
+[[nodiscard]] IRG_API std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
+                                                             const camera<T>& view, const extent2& size) {
   IRG_EXPECTS(size.width >= 1 && size.height >= 1);
   return detail::room_windows<T>(plan, view, {0, 0, size.width, size.height}).find(doors);
 }
 
-template <Floating T, RowRaster Colour, RowRaster Depth, Executor E>
-  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
-                               const render_options& options, const E& executor) {
-  const int width = width_of(target.colour), height = height_of(target.colour);
+}  // namespace irg::inline IRG_COMPILED_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, class Colour, class Depth>
+IRG_API render_counts render_building(prepared_rooms<T>& building, const render_options& options,
+                                      const picture_run<Colour, Depth>& run) {
+  const int width = width_of(run.colour), height = height_of(run.colour);
   if (width == 0 || height == 0) return {};
-  IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());
   std::vector<std::uint32_t> candidates;
   std::vector<cell_window> windows(building.plan.cells.size(), cell_window{0, 0, width, height});
   if (options.skip.rooms == skipping::on)
@@ -192,16 +231,12 @@ constexpr render_counts render(prepared_rooms<T>& building, render_target<Colour
       skipped += static_cast<std::int64_t>(building.world.objects[i].body.triangles.size());
     else
       candidates.push_back(i);
-  const no_observer observer;
-  auto&& colour = detail::rows_of(target.colour);
-  auto&& depth = detail::rows_of(target.depth);
-  render_counts stats = detail::draw_picture<T>(
-      {building.world, width, height, options}, {building.world.objects}, candidates,
-      detail::lists_of(building.world.workspace),
-      detail::picture_run{colour, depth, as_executor(executor), as_function<void(render_stage)>(observer)});
+  render_counts stats = draw_picture<T>({building.world, width, height, options}, {building.world.objects}, candidates,
+                                        lists_of(building.world.workspace), run);
   stats.triangles += skipped;
   stats.skipped.rooms += skipped;
   return stats;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -3,16 +3,24 @@
 // render() shows there, to the bit; from there on rays tell what light arrives.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <span>
+#include <type_traits>
+
+#include <irg/core/executor.hpp>
+#include <irg/raster/image.hpp>
+#include <irg/render/render.hpp>
+#include <irg/trace/trace_ray.hpp>
+#if IRG_BODIES
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include <irg/colour/srgb.hpp>
+#include <irg/render/draw_triangles.hpp>
 #include <irg/render/prepared_scene.hpp>
-#include <irg/render/render.hpp>
-#include <irg/trace/trace_ray.hpp>
+#endif
 
 namespace irg {
 
@@ -46,7 +54,54 @@ struct reporting {
 template <class E, class Report>
 reporting(const E&, const Report&) -> reporting<E, Report>;
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_ABI {
+
+/// Renders a scene by rays into a picture, which is overwritten, and returns what it did.
+/// needs   as render
+/// gives   the background alone for a scene without objects, and where rays leave the scene. Normals are those of the
+///         style phong; where they come to 0, the triangle's own, where render() has ambient light alone. But for such
+///         places it gives the bytes of render() in that style with shadows off, no optics and one sample
+/// exact   the triangle that each sample shows first, as render(); the same bytes for every executor and compiler
+/// cost    as trace_ray for each sample; allocates a picture of all samples, and a tree
+/// source  Whitted 1980
+template <Floating T, RowRaster Colour, Executor E = sequential>
+  requires std::same_as<pixel_of<Colour>, rgba8>
+constexpr render_counts render_traced(const scene<T>& world, Colour& colour, const traced_options<T>& options = {},
+                                      const E& executor = {});
+template <Floating T, RowRaster Colour, Executor E = sequential>
+  requires std::same_as<pixel_of<Colour>, rgba8>
+[[deprecated("irg: render_traced(world, picture, {.optics = ..}, executor)")]] constexpr render_counts render_traced(
+    const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic, Colour& colour,
+    traced_options<T> options = {}, const E& executor = {}) {
+  options.optics = optic;
+  return render_traced(world, colour, options, executor);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, class Colour>
+IRG_API render_counts trace_picture(const scene<T>& world, Colour& colour, const traced_options<T>& options,
+                                    const executor_ref& executor);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, RowRaster Colour, Executor E>
+  requires std::same_as<pixel_of<Colour>, rgba8>
+constexpr render_counts render_traced(const scene<T>& world, Colour& colour, const traced_options<T>& options,
+                                      const E& executor) {
+  return detail::on_rows(
+      colour, [&](auto& rows) { return detail::trace_picture(world, rows, options, as_executor(executor)); });
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // Makes shaders that trace what comes from a triangle's point to the eye.
 template <class T>
@@ -88,22 +143,13 @@ constexpr void encode_means(Colour& colour, const image<rgb<float>>& light, int 
     }
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-/// Renders a scene by rays into a picture, which is overwritten, and returns what it did.
-/// needs   as render
-/// gives   the background alone for a scene without objects, and where rays leave the scene. Normals are those of the
-///         style phong; where they come to 0, the triangle's own, where render() has ambient light alone. But for such
-///         places it gives the bytes of render() in that style with shadows off, no optics and one sample
-/// exact   the triangle that each sample shows first, as render(); the same bytes for every executor and compiler
-/// cost    as trace_ray for each sample; allocates a picture of all samples, and a tree
-/// source  Whitted 1980
-template <Floating T, RowRaster Colour, Executor E = sequential>
-  requires std::same_as<pixel_of<Colour>, rgba8>
-constexpr render_counts render_traced(const scene<T>& world, Colour& colour, const traced_options<T>& options = {},
-                                      const E& executor = {}) {
+template <Floating T, class Colour>
+IRG_API render_counts trace_picture(const scene<T>& world, Colour& colour, const traced_options<T>& options,
+                                    const executor_ref& executor) {
   if (width_of(colour) == 0 || height_of(colour) == 0) return {};
   const int longer = maximum(width_of(colour), height_of(colour));
   const int samples = clamped(minimum(options.samples, 65536 / longer), 1, 16);
@@ -118,8 +164,8 @@ constexpr render_counts render_traced(const scene<T>& world, Colour& colour, con
     prepared_object<T>& o = ready.objects[i];
     bodies.push_back({o.body.positions, o.body.normals, o.body.triangles, o.surface,
                       i < options.optics.size() ? options.optics[i] : optics<T>{}});
-    project_vertices<T>(o.body.positions, to_clip, mapping, detail::kept_of(o).vertices, executor);
-    batches.push_back({&detail::kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
+    project_vertices<T>(o.body.positions, to_clip, mapping, kept_of(o).vertices, executor);
+    batches.push_back({&kept_of(o).vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }
   const rgb<float> back = decode(options.colours.background);
@@ -127,7 +173,7 @@ constexpr render_counts render_traced(const scene<T>& world, Colour& colour, con
                           {converted<T>(back.r), converted<T>(back.g), converted<T>(back.b)}, executor);
   image<rgb<float>> light(width, height);
   image<float> depth(width, height);
-  const detail::traced_shading<T> shading{rays, options.limits, viewpoint(world.view)};
+  const traced_shading<T> shading{rays, options.limits, viewpoint(world.view)};
   const render_counts stats =
       shade_batches<nearer_is_greater>(render_target{light, depth}, projected_triangles<T>{batches, mapping}, shading,
                                        {.culling = options.culling,
@@ -135,17 +181,9 @@ constexpr render_counts render_traced(const scene<T>& world, Colour& colour, con
                                         .background = back,
                                         .workspace = &ready.workspace},
                                        executor);
-  detail::encode_means(colour, light, samples);
+  encode_means(colour, light, samples);
   return stats;
 }
-template <Floating T, RowRaster Colour, Executor E = sequential>
-  requires std::same_as<pixel_of<Colour>, rgba8>
-[[deprecated("irg: render_traced(world, picture, {.optics = ..}, executor)")]] constexpr render_counts render_traced(
-    const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic, Colour& colour,
-    traced_options<T> options = {}, const E& executor = {}) {
-  options.optics = optic;
-  return render_traced(world, colour, options, executor);
-}
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -43,15 +43,16 @@ template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster C
 constexpr render_counts shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
                                       const MakeShader& make_shader,
                                       const draw_options<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
-  const detail::ids_as_they_are method{};
+  detail::expect_known_order<Order>();
+  const detail::ids_as_they_are found{};
   draw_workspace own;
-  auto&& colour = detail::rows_of(target.colour);
-  auto&& depth = detail::rows_of(target.depth);
-  return detail::draw_tiles<T>(detail::method_tiles<Order, detail::ids_as_they_are>{method, seen.ids}, depth,
-                               detail::job_of(seen.of, settings, own),
-                               detail::colour_tiles<T, std::remove_reference_t<decltype(colour)>, MakeShader>(
-                                   colour, make_shader, settings.clear, settings.background),
-                               as_executor(executor));
+  const detail::tile_job<T> job = detail::job_of(seen.of, settings, own);
+  return detail::on_rows_of(target, [&]<class Rows>(Rows& colour, auto& depth) {
+    return detail::draw_by_ids<Order, T>(
+        as_function<detail::method_signature<T>>(found), seen.ids, depth, job,
+        detail::colour_tiles<T, Rows, MakeShader>(colour, make_shader, settings.clear, settings.background),
+        as_executor(executor));
+  });
 }
 
 }  // namespace IRG_ABI

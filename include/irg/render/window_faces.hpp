@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include <irg/core/function_ref.hpp>
+#include <irg/raster/draw_counts.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/screen_face.hpp>
 #include <irg/render/detail/bin/triangle_finder.hpp>
@@ -66,4 +68,13 @@ concept HiddenSurfaceMethod =
     requires(const M& method, const window_faces<T>& faces, const cell_window& window, image<std::uint32_t>& ids,
              draw_counts& counts) { method(faces, window, ids, counts); };
 
+namespace detail {
+
+// Any method, by reference.
+template <class T>
+using method_signature = void(const window_faces<T>&, const cell_window&, image<std::uint32_t>&, draw_counts&);
+template <class T>
+using method_ref = function_ref<method_signature<T>>;
+
+}  // namespace detail
 }  // namespace irg

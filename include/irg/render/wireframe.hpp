@@ -2,17 +2,20 @@
 // Wireframe: the edges of the faces as one-pixel lines.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include <irg/core/executor.hpp>
 #include <irg/mesh/mesh.hpp>
-#include <irg/raster/draw_line.hpp>
-#include <irg/raster/fill_span.hpp>
+#include <irg/raster/draw_counts.hpp>
+#include <irg/raster/line_bresenham.hpp>
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/triangle_coverage.hpp>
-#include <irg/render/options.hpp>
+#if IRG_BODIES
+#include <algorithm>
+
+#include <irg/geometry/clip_homogeneous.hpp>
+#endif
 
 namespace irg {
 
@@ -65,9 +68,6 @@ struct line_on_screen {
 
 inline namespace IRG_ABI {
 
-// The pixel that holds a snapped position.
-IRG_INLINE constexpr cell cell_of(const subpixel& p) noexcept { return {p.x >> subpixel_bits, p.y >> subpixel_bits}; }
-
 // Whether a face shows its back, by the sign of its area on the screen; faces that reach behind the eye or beyond the
 // guard band are taken to show their front, and so are those of which a vertex is not there.
 template <class T>
@@ -89,6 +89,50 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
 IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noexcept {
   return std::uint64_t{minimum(p, q)} << 32 | maximum(p, q);
 }
+
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
+// The lines of a mesh's edges in a picture of this size, each once; what is passed over is counted.
+template <Floating T>
+IRG_API std::vector<line_on_screen> lines_of_faces(const projected_mesh<T>& drawn, face_culling culling,
+                                                   const cell_window& picture, render_counts& counts);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg::detail
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, RowRaster Colour, Executor E>
+constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
+                                       face_culling culling, const E& executor) {
+  render_counts stats;
+  const std::vector<detail::line_on_screen> lines =
+      detail::lines_of_faces(drawn, culling, {0, 0, width_of(colour), height_of(colour)}, stats);
+  const int height = height_of(colour), rows = 64, bands = (height + rows - 1) / rows;
+  std::vector<std::int64_t> shaded(static_cast<std::size_t>(bands), 0);
+  executor(shaded.size(), [&](std::size_t band) {
+    const int y = static_cast<int>(band) * rows;
+    for (const detail::line_on_screen& l : lines)
+      line_bresenham(l.from, l.to, {0, y, width_of(colour), minimum(y + rows, height)}, [&](cell c) {
+        set_pixel(colour, c.x, c.y, line);
+        ++shaded[band];
+      });
+  });
+  for (const std::int64_t n : shaded) stats.pixels.shaded += n;
+  stats.pixels.tested = stats.pixels.shaded;
+  return stats;
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// The pixel that holds a snapped position.
+IRG_INLINE constexpr cell cell_of(const subpixel& p) noexcept { return {p.x >> subpixel_bits, p.y >> subpixel_bits}; }
 
 // The line of an edge; not seen when it is out of sight, or a vertex is not there.
 template <class T>
@@ -134,50 +178,37 @@ constexpr bool lies_beyond(const Drawn& drawn, std::size_t f, const cell_window&
 }
 
 }  // namespace IRG_ABI
-}  // namespace irg::detail
 
-namespace irg::inline IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
-template <Floating T, RowRaster Colour, Executor E>
-constexpr render_counts draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
-                                       face_culling culling, const E& executor) {
+template <Floating T>
+IRG_API std::vector<line_on_screen> lines_of_faces(const projected_mesh<T>& drawn, face_culling culling,
+                                                   const cell_window& picture, render_counts& counts) {
   const auto& [vertices, m, mapping, frustum] = drawn;
-  const cell_window picture{0, 0, width_of(colour), height_of(colour)};
   const bool may_skip = frustum == skipping::on && vertices.any.outside != 0;
-  render_counts stats;
   std::vector<std::uint64_t> edges;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const std::size_t corners = m.face_size(f);
-    stats.triangles += static_cast<std::int64_t>(corners) - 2;
-    if (may_skip && detail::lies_beyond(drawn, f, picture)) {
-      stats.skipped.frustum += static_cast<std::int64_t>(corners) - 2;
+    counts.triangles += static_cast<std::int64_t>(corners) - 2;
+    if (may_skip && lies_beyond(drawn, f, picture)) {
+      counts.skipped.frustum += static_cast<std::int64_t>(corners) - 2;
       continue;
     }
-    if (culling == face_culling::back && detail::shows_back(vertices, m, f)) {
-      stats.skipped.backface += static_cast<std::int64_t>(corners) - 2;
+    if (culling == face_culling::back && shows_back(vertices, m, f)) {
+      counts.skipped.backface += static_cast<std::int64_t>(corners) - 2;
       continue;
     }
     for (std::size_t k = 0; k < corners; ++k)
-      edges.push_back(detail::edge_of(m.corner(f, k).position, m.corner(f, (k + 1) % corners).position));
+      edges.push_back(edge_of(m.corner(f, k).position, m.corner(f, (k + 1) % corners).position));
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  std::vector<detail::line_on_screen> lines;
+  std::vector<line_on_screen> lines;
   for (const std::uint64_t edge : edges)
-    if (const detail::line_on_screen l = detail::line_of(vertices, edge, mapping); l.seen) lines.push_back(l);
-  const int height = height_of(colour), rows = 64, bands = (height + rows - 1) / rows;
-  std::vector<std::int64_t> shaded(static_cast<std::size_t>(bands), 0);
-  executor(shaded.size(), [&](std::size_t band) {
-    const int y = static_cast<int>(band) * rows;
-    for (const detail::line_on_screen& l : lines)
-      line_bresenham(l.from, l.to, {0, y, width_of(colour), minimum(y + rows, height)}, [&](cell c) {
-        set_pixel(colour, c.x, c.y, line);
-        ++shaded[band];
-      });
-  });
-  for (const std::int64_t n : shaded) stats.pixels.shaded += n;
-  stats.pixels.tested = stats.pixels.shaded;
-  return stats;
+    if (const line_on_screen l = line_of(vertices, edge, mapping); l.seen) lines.push_back(l);
+  return lines;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg::detail
+#endif

@@ -11,16 +11,19 @@
 #include <utility>
 #include <vector>
 
-#include <irg/core/conversion.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/core/vocabulary.hpp>
 #include <irg/geometry/vocabulary.hpp>
-#include <irg/math/exact_sum.hpp>
 #include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
+#include <irg/core/conversion.hpp>
+#include <irg/math/exact_sum.hpp>
 #include <irg/solid/detail/body_arrangement.hpp>
 #include <irg/solid/detail/body_triangles.hpp>
 #include <irg/solid/detail/exact_vertices.hpp>
 #include <irg/solid/detail/upward_crossings.hpp>
 #include <irg/solid/self_intersections.hpp>
+#endif
 
 namespace irg {
 
@@ -103,6 +106,42 @@ template <Floating T>
 }  // namespace IRG_ABI
 }  // namespace irg
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+// What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
+template <Floating T>
+IRG_API solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies,
+                                                  const function_ref<bool(const std::vector<unsigned char>&)>& is_in);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::detail::inline IRG_ABI {
+
+constexpr bool is_in_combination(bool first, bool second, boolean_operation operation) noexcept {
+  switch (operation) {
+    case boolean_operation::union_: return first || second;
+    case boolean_operation::intersection: return first && second;
+    case boolean_operation::difference: return first && !second;
+    default: return first != second;
+  }
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T>
+[[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
+                                                              boolean_operation operation) {
+  const auto is_in = [operation](const std::vector<unsigned char>& in) {
+    return detail::is_in_combination(in[0] != 0, in[1] != 0, operation);
+  };
+  return detail::boolean_of_bodies<T>({&first, &second}, as_function<bool(const std::vector<unsigned char>&)>(is_in));
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
 namespace irg::detail {
 
 // Takes corners out of a surface that are there only because a plane face was cut: where a diagonal met something, or a
@@ -379,15 +418,6 @@ namespace irg {
 
 namespace detail::inline IRG_ABI {
 
-constexpr bool is_in_combination(bool first, bool second, boolean_operation operation) noexcept {
-  switch (operation) {
-    case boolean_operation::union_: return first || second;
-    case boolean_operation::intersection: return first && second;
-    case boolean_operation::difference: return first && !second;
-    default: return first != second;
-  }
-}
-
 // Whether the edges at cuts are walked as often one way as the other.
 template <class Cut>
 constexpr bool are_cuts_closed(const Cut& cut) {
@@ -473,9 +503,13 @@ constexpr solid_boolean_counts counts_of(const Cut& cut, const body_triangles& b
   return counts;
 }
 
-// What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
-template <Floating T, class IsIn>
-constexpr solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
+}  // namespace detail::inline IRG_ABI
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh<T>*>& bodies,
+                                                  const function_ref<bool(const std::vector<unsigned char>&)>& is_in) {
   const auto b = make_body_triangles(bodies);
   switch (b.fault) {
     case surface_fault::none: break;
@@ -498,17 +532,6 @@ constexpr solid_boolean_result<T> boolean_of_bodies(const std::vector<const mesh
   return out;
 }
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
-template <Floating T>
-[[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
-                                                              boolean_operation operation) {
-  return detail::boolean_of_bodies<T>({&first, &second}, [operation](const std::vector<unsigned char>& in) {
-    return detail::is_in_combination(in[0] != 0, in[1] != 0, operation);
-  });
-}
-
-}  // namespace IRG_ABI
+}  // namespace detail::inline IRG_COMPILED_ABI
 }  // namespace irg
+#endif

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/function_ref.hpp>
 #include <irg/core/vocabulary.hpp>
 #include <irg/solid/boolean.hpp>
 
@@ -100,8 +101,8 @@ template <Floating T>
     if (step.second != no_index) is_used[step.second] = 1;
   }
   std::vector<unsigned char> scratch;
-  return detail::boolean_of_bodies<T>(
-      bodies, [&](const std::vector<unsigned char>& in) { return detail::is_in_steps(tree.steps, in, scratch); });
+  const auto is_in = [&](const std::vector<unsigned char>& in) { return detail::is_in_steps(tree.steps, in, scratch); };
+  return detail::boolean_of_bodies<T>(bodies, as_function<bool(const std::vector<unsigned char>&)>(is_in));
 }
 
 IRG_RENAMED(mesh_of, to_mesh)

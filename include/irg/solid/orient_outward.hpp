@@ -9,6 +9,8 @@
 #include <vector>
 
 #include <irg/core/vocabulary.hpp>
+#include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
 #include <irg/geometry/exact_point.hpp>
 #include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/from_half_edges.hpp>
@@ -21,6 +23,7 @@
 #include <irg/solid/detail/exact_crossings.hpp>
 #include <irg/solid/measures.hpp>
 #include <irg/solid/solid_locator.hpp>
+#endif
 
 namespace irg {
 
@@ -32,7 +35,7 @@ enum class [[nodiscard]] outward_status {
   done [[deprecated("irg: done is now ok")]] = ok
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// Turns the faces of a closed surface so that they are counter-clockwise seen from outside, whichever way each of them
 /// ran before: those of shells within others so that what lies between is inside.
@@ -43,11 +46,12 @@ inline namespace IRG_ABI {
 /// exact   always, for the triangles that triangulated() makes of the faces
 /// cost    O(n log n), and for each shell a pass over the others: exact volumes and one ray
 template <Floating T>
-constexpr outward_status orient_outward(mesh<T>& m);
+IRG_API outward_status orient_outward(mesh<T>& m);
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // Each shell by itself, with its own positions alone: a vertex belongs to one.
@@ -159,10 +163,10 @@ constexpr bool lies_within(const mesh<T>& shell, const mesh<T>& other) {
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-constexpr outward_status orient_outward(mesh<T>& m) {
+IRG_API outward_status orient_outward(mesh<T>& m) {
   mesh<T> turned = m;
   if (orient_faces(turned) != orient_status::ok) return outward_status::no_surface;
   const auto half_edges = to_half_edges(turned);
@@ -190,4 +194,5 @@ constexpr outward_status orient_outward(mesh<T>& m) {
   return outward_status::ok;
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -12,12 +12,15 @@
 
 #include <irg/core/scalar.hpp>
 #include <irg/core/vocabulary.hpp>
+#include <irg/mesh/mesh.hpp>
+#if IRG_BODIES
 #include <irg/math/sqrt.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/mesh/to_mesh.hpp>
 #include <irg/solid/detail/body_triangles.hpp>
 #include <irg/solid/detail/box_pairs.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>
+#endif
 
 namespace irg {
 
@@ -27,7 +30,7 @@ struct face_pair {
   constexpr auto operator<=>(const face_pair&) const = default;
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// All pairs of faces that have a point in common which is not a corner of both: faces that cross, touch each other's
 /// inside or sides, lie on each other.
@@ -39,10 +42,11 @@ inline namespace IRG_ABI {
 ///         for fans, cones, bipyramids and poles, where thousands meet round one corner or side, as measured to 10^5;
 ///         bundles that no plane tells apart cost the pairs of triangles whose boxes meet
 template <Floating T>
-[[nodiscard]] constexpr std::vector<face_pair> self_intersections(const mesh<T>& m);
+[[nodiscard]] IRG_API std::vector<face_pair> self_intersections(const mesh<T>& m);
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 
+#if IRG_BODIES
 namespace detail {
 
 // A triangle in one of the spaces that pairs are searched in: each of its points lies within `margin` along each axis
@@ -473,10 +477,10 @@ constexpr std::vector<face_pair> meeting_faces(const body_triangles& b, std::siz
 }  // namespace IRG_ABI
 }  // namespace detail
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr std::vector<face_pair> self_intersections(const mesh<T>& m) {
+[[nodiscard]] IRG_API std::vector<face_pair> self_intersections(const mesh<T>& m) {
   detail::body_triangles b;
   detail::append_body(b, m);
   if (b.fault != detail::surface_fault::none) return {};
@@ -488,5 +492,6 @@ template <Floating T>
   return found;
 }
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
+#endif
 }  // namespace irg

@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/geometry/point_on_triangle.hpp>
-#include <irg/math/vec.hpp>
 #include <irg/core/vocabulary.hpp>
+#include <irg/math/vec.hpp>
 #include <irg/spatial/bsp_order.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
+#include <irg/geometry/point_on_triangle.hpp>
+#endif
 
 namespace irg {
 
@@ -70,7 +73,19 @@ struct bsp_fault {
   friend constexpr bool operator==(const bsp_fault&, const bsp_fault&) = default;
 };
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
+
+/// The first thing by which these numbers are no tree that can be visited: with none, nothing is read out of bounds and
+/// every visit ends. That the pieces lie where their nodes say is not looked into.
+/// cost    linear; allocates a byte a node
+template <Floating T>
+[[nodiscard]] IRG_API bsp_fault find_bsp_fault(const bsp_data_3d<T>& d);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 template <Floating T>
 constexpr bool has_area(const bsp_data_3d<T>& d, std::uint32_t triangle) noexcept {
@@ -112,15 +127,12 @@ constexpr bsp_fault find_node_fault(const bsp_data_3d<T>& d) {
   return {};
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
-/// The first thing by which these numbers are no tree that can be visited: with none, nothing is read out of bounds and
-/// every visit ends. That the pieces lie where their nodes say is not looked into.
-/// cost    linear; allocates a byte a node
 template <Floating T>
-[[nodiscard]] constexpr bsp_fault find_bsp_fault(const bsp_data_3d<T>& d) {
+[[nodiscard]] IRG_API bsp_fault find_bsp_fault(const bsp_data_3d<T>& d) {
   for (std::size_t i = 0; i < d.triangles.size(); ++i)
     for (const std::uint32_t v : d.triangles[i].v)
       if (v >= d.vertices.size()) return {bsp_defect::index, bsp_part::triangle, i};
@@ -140,5 +152,5 @@ template <Floating T>
   return {};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -11,10 +11,13 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
-#include <irg/geometry/parametric_line.hpp>
+#include <irg/core/conversion.hpp>
 #include <irg/core/vocabulary.hpp>
 #include <irg/spatial/bsp_data_3d.hpp>
+#include <irg/spatial/detail/growing_bsp_3d.hpp>
+#if IRG_BODIES
 #include <irg/spatial/detail/bsp_cells_3d.hpp>
+#endif
 
 namespace irg {
 
@@ -43,8 +46,7 @@ public:
   IRG_APART constexpr explicit bsp_tree_3d(bsp_data_3d<T> data) {
     tree_.data = std::move(data);
     IRG_EXPECTS(find_bsp_fault(tree_.data).defect == bsp_defect::none);
-    for (const bsp_node_3d& n : tree_.data.nodes) tree_.planes.push_back(detail::plane_of(tree_.data, n.plane));
-    for (std::uint32_t i = 0; i < tree_.data.nodes.size(); ++i) tree_.steps.push_back(detail::step_at(tree_, i));
+    detail::make_walkable(tree_);
     fixed_ = detail::sizes_of(tree_);
   }
 
@@ -60,24 +62,7 @@ public:
   ///         each other. Fewer than three where rounding leaves no area
   /// cost    the corners times the limits; allocates
   [[nodiscard]] IRG_APART constexpr std::vector<point<T, 3>> rounded(const bsp_piece_3d& p) const {
-    std::vector<point<T, 3>> ring, kept;
-    for (const std::uint32_t v : tree_.data.triangles[p.triangle].v) ring.push_back(tree_.data.vertices[v]);
-    for (std::uint32_t l = p.limits; l != no_index && !ring.empty();
-         l = tree_.data.limits[l].next, std::swap(ring, kept)) {
-      kept.clear();
-      const detail::rounded_plane& plane = tree_.planes[tree_.data.limits[l].node];
-      const auto height = [&](const point<T, 3>& q) {
-        const double at[3] = {widened(q[0]), widened(q[1]), widened(q[2])};
-        return plane(at, 0.0).value * tree_.data.limits[l].side;
-      };
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-        const double f = height(a), g = height(b);
-        if (f >= 0) kept.push_back(a);
-        if ((f < 0 && g > 0) || (f > 0 && g < 0)) kept.push_back(point_between(a, b, converted<T>(f / (f - g))));
-      }
-    }
-    return ring;
+    return detail::rounded_ring(tree_, p);
   }
 
   /// Adds triangles that move: they are cut by the planes that are there, and divide the cells that they come to. Their

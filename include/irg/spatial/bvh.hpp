@@ -12,8 +12,11 @@
 #include <vector>
 
 #include <irg/core/executor.hpp>
+#include <irg/geometry/box.hpp>
 #include <irg/spatial/bvh_node.hpp>
+#if IRG_BODIES
 #include <irg/spatial/detail/bvh_area_splits.hpp>
+#endif
 
 namespace irg {
 
@@ -46,6 +49,10 @@ template <Floating T, Executor E = sequential>
 [[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_options& config = {},
                                       const E& executor = {});
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// Fits the tree to boxes that have moved: what is in a node stays in it.
 /// needs   as many boxes as the tree was built of. Those that were left out stay out; those that are to be left out now
 ///         are met by no ray
@@ -54,11 +61,28 @@ template <Floating T, Executor E = sequential>
 /// exact   the same for every compiler and instruction set
 /// cost    linear, a tenth of building it; nothing allocated
 template <Floating T>
-constexpr void refit(bvh& tree, std::span<const box<T, 3>> boxes);
+IRG_API void refit(bvh& tree, std::span<const box<T, 3>> boxes);
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API bvh build_box_tree(std::span<const box<T, 3>> boxes, const bvh_options& config, const executor_ref& executor);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, Executor E>
+[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_options& config, const E& executor) {
+  return detail::build_box_tree(boxes, config, as_executor(executor));
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // The two ways to split a bvh: where rays are estimated to cost least, and where a curve through space turns.
@@ -309,15 +333,19 @@ constexpr bvh build_tree(std::span<const box<T, 3>> boxes, const bvh_options& co
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::inline IRG_ABI {
-
-template <Floating T, Executor E>
-[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_options& config, const E& executor) {
-  return detail::build_tree(boxes, config, executor, [](double) { return detail::box_cut{}; });
-}
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-constexpr void refit(bvh& tree, std::span<const box<T, 3>> boxes) {
+IRG_API bvh build_box_tree(std::span<const box<T, 3>> boxes, const bvh_options& config, const executor_ref& executor) {
+  return build_tree(boxes, config, executor, [](double) { return box_cut{}; });
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API void refit(bvh& tree, std::span<const box<T, 3>> boxes) {
   detail::rescale(tree, boxes);
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
     bvh_node& node = tree.nodes[n];
@@ -336,4 +364,5 @@ constexpr void refit(bvh& tree, std::span<const box<T, 3>> boxes) {
   }
 }
 
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

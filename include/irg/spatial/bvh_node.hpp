@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bvh is made of.
+// What a bvh is made of, and what rays ask of it.
 #pragma once
 
 #include <concepts>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <irg/core/vocabulary.hpp>
-#include <irg/core/config.hpp>
+#include <irg/core/scalar.hpp>
 
 namespace irg {
 
@@ -65,7 +65,7 @@ struct bvh {
 /// What rays have asked of trees so far: of all primitives times `rays`, those beyond `primitives` were skipped.
 /// exact   for the boxes as the tree holds them, which are rounded outwards. A box that a ray passes by at less than
 ///         that may count with one processor and not with another
-struct ray_counts {
+struct [[gnu::visibility("default")]] ray_counts {
   std::uint64_t rays = 0;  // also those without points
   std::uint64_t nodes = 0;  // gone through, eight boxes tested in each
   std::uint64_t leaves = 0;  // come to
@@ -74,11 +74,30 @@ struct ray_counts {
 };
 
 /// Stands for ray_counts where nobody asks for them: no code is made.
-struct uncounted_rays {};
+struct [[gnu::visibility("default")]] uncounted_rays {};
 inline constexpr uncounted_rays not_counted{};
 
 /// Where rays are counted, or not.
 template <class C>
 concept RayCounts = std::same_as<C, ray_counts> || std::same_as<C, const uncounted_rays>;
 
+/// Where a ray crosses a triangle abc.
+/// shape   side: which one the ray comes from; the point is origin + t*direction, and a, b and c weighted by
+///         1 - weight_b - weight_c, weight_b and weight_c
+struct ray_crossing {
+  facing side = facing::front;
+  double t = 0, weight_b = 0, weight_c = 0;
+  bool operator==(const ray_crossing&) const = default;
+};
+
+namespace detail {
+
+// Four triangles side by side.
+template <Floating T>
+struct triangle_block {
+  static constexpr int width = 4;
+  T v[3][3][width];  // corner, axis, triangle
+};
+
+}  // namespace detail
 }  // namespace irg

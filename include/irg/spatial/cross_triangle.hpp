@@ -14,22 +14,45 @@
 #include <concepts>
 #include <optional>
 
-#include <irg/core/vocabulary.hpp>
+#include <irg/geometry/ray.hpp>
+#include <irg/spatial/bvh_node.hpp>
+#if IRG_BODIES
 #include <irg/core/lanes.hpp>
-#include <irg/spatial/detail/ray_shear.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/exact/quotients_of.hpp>
 #include <irg/math/exact/sign_of.hpp>
+#include <irg/spatial/detail/ray_shear.hpp>
+#endif
 
+namespace irg::inline IRG_COMPILED_ABI {
+
+/// Where the ray crosses the triangle abc.
+/// needs   finite corners
+/// gives   nothing where it passes by, for an empty ray and for a triangle without area as seen along the ray; of the
+///         triangles of a surface that share a side or a corner on the ray, as many as if ray and surface were in
+///         general position
+/// exact   whether there is a crossing, on which side, and whether before low or after high, for all finite floats and
+///         doubles. With m the largest coordinate of a corner seen from the origin, t is off by less than 2^-33 m over
+///         the largest coordinate of the direction, and correctly rounded where the triangle is seen at less than
+///         2^-16; weights are off by 2^-45 m^2 over the area seen, and correctly rounded where that is below 2^-40 m^2
+/// cost    some 80 operations on doubles; microseconds where the ray passes within rounding errors of a side, and where
+///         numbers are beyond 2^250
+/// source  Woop, Benthin and Wald 2013 (the shear); Edelsbrunner and Muecke 1990 (the moved origin)
+template <Floating T>
+[[nodiscard]] IRG_API std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
+                                                                     const point<T, 3>& b,
+                                                                     const point<T, 3>& c) noexcept;
+
+}  // namespace irg::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+IRG_RENAMED(cross_triangle, intersect_triangle)
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
 namespace irg {
-
-/// Where a ray crosses a triangle abc.
-/// shape   side: which one the ray comes from; the point is origin + t*direction, and a, b and c weighted by
-///         1 - weight_b - weight_c, weight_b and weight_c
-struct ray_crossing {
-  facing side = facing::front;
-  double t = 0, weight_b = 0, weight_c = 0;
-  bool operator==(const ray_crossing&) const = default;
-};
 
 namespace detail {
 
@@ -54,6 +77,14 @@ IRG_INLINE constexpr void set_triangle_ray(triangle_ray& q, const ray<T, 3>& r) 
   q.r.high = exactly_widened(r.high);
   set_shear(q.shear, q.r);
   q.reach = magnitude(q.r.direction[q.shear.z]);
+}
+
+// The same, of a type that depends on T: what a template does with it is not instantiated before the template is.
+template <Floating T>
+IRG_INLINE constexpr triangle_ray made_ready(const ray<T, 3>& r) noexcept {
+  triangle_ray q;
+  set_triangle_ray(q, r);
+  return q;
 }
 
 IRG_INLINE constexpr std::array<double, 15> gathered_doubles(const ray<double, 3>& r, const space_point& a,
@@ -233,27 +264,14 @@ IRG_INLINE constexpr timed_crossing cross_in_time(const std::same_as<triangle_ra
 }  // namespace IRG_ABI
 }  // namespace detail
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
-/// Where the ray crosses the triangle abc.
-/// needs   finite corners
-/// gives   nothing where it passes by, for an empty ray and for a triangle without area as seen along the ray; of the
-///         triangles of a surface that share a side or a corner on the ray, as many as if ray and surface were in
-///         general position
-/// exact   whether there is a crossing, on which side, and whether before low or after high, for all finite floats and
-///         doubles. With m the largest coordinate of a corner seen from the origin, t is off by less than 2^-33 m over
-///         the largest coordinate of the direction, and correctly rounded where the triangle is seen at less than
-///         2^-16; weights are off by 2^-45 m^2 over the area seen, and correctly rounded where that is below 2^-40 m^2
-/// cost    some 80 operations on doubles; microseconds where the ray passes within rounding errors of a side, and where
-///         numbers are beyond 2^250
-/// source  Woop, Benthin and Wald 2013 (the shear); Edelsbrunner and Muecke 1990 (the moved origin)
 template <Floating T>
-[[nodiscard]] constexpr std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
-                                                                       const point<T, 3>& b,
-                                                                       const point<T, 3>& c) noexcept {
+[[nodiscard]] IRG_API std::optional<ray_crossing> intersect_triangle(const ray<T, 3>& r, const point<T, 3>& a,
+                                                                     const point<T, 3>& b,
+                                                                     const point<T, 3>& c) noexcept {
   if (r.empty()) return std::nullopt;
-  detail::triangle_ray q;
-  detail::set_triangle_ray(q, r);
+  const auto q = detail::made_ready(r);
   const detail::space_point p[3] = {detail::exactly_widened(a), detail::exactly_widened(b), detail::exactly_widened(c)};
   const double m = detail::largest_from(q.r.origin, p[0], p[1], p[2]);
   const auto sides = detail::sides_round(q, p[0], p[1], p[2]);
@@ -264,7 +282,6 @@ template <Floating T>
   return x;
 }
 
-IRG_RENAMED(cross_triangle, intersect_triangle)
-
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
+#endif

@@ -15,16 +15,29 @@
 #include <type_traits>
 #include <vector>
 
+#include <irg/core/function_ref.hpp>
+#include <irg/geometry/ray.hpp>
 #include <irg/spatial/bvh.hpp>
+#if IRG_BODIES
 #include <irg/spatial/detail/ray_packet_kernel.hpp>
 #include <irg/spatial/detail/triangle_block_kernel.hpp>
 #include <irg/spatial/detail/walk_bvh.hpp>
+#endif
 
 namespace irg {
 
 namespace detail {
 struct triangle_blocks;
 }  // namespace detail
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API bvh build_triangle_tree(std::span<const box<T, 3>> boxes, const bvh_options& config,
+                                const executor_ref& executor,
+                                const function_ref<std::array<point<T, 3>, 3>(std::size_t)>& at);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 /// A triangle that a ray crosses, by its number, and where.
 struct triangle_hit {
@@ -60,8 +73,8 @@ public:
   IRG_APART constexpr triangle_bvh(std::size_t count, const At& at, const bvh_options& config = {},
                                    const E& executor = {}) {
     const std::vector<box<T, 3>> boxes = boxes_of(count, at, executor);
-    tree_ = detail::build_tree(std::span<const box<T, 3>>(boxes), config, executor,
-                               [&at](double scale) { return detail::triangle_cut<At>{at, scale}; });
+    tree_ =
+        detail::build_triangle_tree<T>(boxes, config, as_executor(executor), as_function<triangle(std::size_t)>(at));
     fill_blocks(at, executor);
   }
 
@@ -138,7 +151,7 @@ struct triangle_blocks {
 
 }  // namespace detail
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// The triangle that the ray crosses first.
 /// shape   rays of floats or doubles against triangles of either
@@ -148,8 +161,8 @@ inline namespace IRG_ABI {
 /// cost    some log n boxes and triangles; nothing allocated. With ray_counts, what the ray asked is added to them;
 ///         they cost nothing where they are not asked for
 template <Floating T, Floating U, RayCounts C = const uncounted_rays>
-[[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                                                C& counts = not_counted) noexcept;
+[[nodiscard]] IRG_API std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                                              C& counts = not_counted) noexcept;
 
 /// The triangles that rays cross first, hits[i] that of rays[i].
 /// shape   rays that follow each other should start near each other and go about the same way, as those of a square of
@@ -159,18 +172,23 @@ template <Floating T, Floating U, RayCounts C = const uncounted_rays>
 /// cost    of 16 such rays some three times that of one; of others, that of each. ray_counts count once what 16 rays
 ///         come to as one
 template <Floating T, Floating U, RayCounts C = const uncounted_rays>
-constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
-                            std::span<std::optional<triangle_hit>> hits, C& counts = not_counted);
+IRG_API void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
+                          std::span<std::optional<triangle_hit>> hits, C& counts = not_counted);
 
 /// Whether the ray crosses a triangle; with `admits`, one of those for which admits(number) holds.
 /// exact   as closest_hit
 /// cost    as closest_hit, and as a rule less
+template <Floating T, Floating U, RayCounts C = const uncounted_rays>
+[[nodiscard]] IRG_API bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                   C& counts = not_counted) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
 template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, RayCounts C = const uncounted_rays>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Admits& admits,
                                      C& counts = not_counted);
-template <Floating T, Floating U, RayCounts C = const uncounted_rays>
-[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                     C& counts = not_counted) noexcept;
 
 /// All triangles that the ray crosses, each once, into sink(hit), in no order that is promised.
 /// gives   of a closed surface, as many as an origin in general position would: an odd number from inside to infinity
@@ -182,6 +200,33 @@ constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Si
 }  // namespace IRG_ABI
 }  // namespace irg
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, Floating U, RayCounts C>
+IRG_API bool is_admitted_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                             const function_ref<bool(std::uint32_t)>& admits, C& counts);
+template <Floating T, Floating U, RayCounts C>
+IRG_API void each_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                      const function_ref<void(const triangle_hit&)>& sink, C& counts);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, RayCounts C>
+[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Admits& admits,
+                                     C& counts) {
+  return detail::is_admitted_hit(triangles, r, as_function<bool(std::uint32_t)>(admits), counts);
+}
+
+template <Floating T, Floating U, class Sink, RayCounts C>
+constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink, C& counts) {
+  detail::each_hit(triangles, r, as_function<void(const triangle_hit&)>(sink), counts);
+}
+
+}  // namespace irg::inline IRG_ABI
+
+#if IRG_BODIES
 namespace irg::detail {
 
 // Rays through the triangles of a bvh: four at once with one bound for all, and one by one those that it leaves open.
@@ -198,31 +243,6 @@ struct space_triangle {
 };
 
 inline namespace IRG_ABI {
-
-// No coordinate of a corner in the tree, seen from the origin, is larger.
-IRG_INLINE constexpr double reach_of(const bvh& tree, const space_point& origin) noexcept {
-  constexpr double slack = 1 + 0x1p-50;
-  double most = 0;
-  for (int i = 0; i < 3; ++i) most = maximum(most, magnitude(origin[i]));
-  return (most + 1 / tree.scale) * slack;
-}
-
-IRG_INLINE constexpr double bound_of(const bvh& tree, const space_point& origin) noexcept {
-  constexpr double largest = 0x1p250;
-  const double m = reach_of(tree, origin);
-  return m < largest ? side_bound(m) : std::numeric_limits<double>::infinity();
-}
-
-// A bit for each triangle of a leaf that is not certainly passed by.
-template <class T>
-IRG_INLINE constexpr unsigned leaf_met(std::span<const triangle_block<T>> blocks, std::uint32_t leaf,
-                                       const ray_shear& s, double bound) noexcept {
-  constexpr std::uint32_t width = bvh_node::block;
-  const std::uint32_t count = bvh_node::count_of(leaf), block = bvh_node::number_of(leaf);
-  unsigned bits = triangles_met(blocks[block], s, bound);
-  if (count > width) bits |= triangles_met(blocks[block + 1], s, bound) << width;
-  return bits & ((1u << count) - 1);
-}
 
 // What triangles need of a ray, made when it comes to the first of them: most rays come to none. Of floats, most rays
 // that come to some are told by floats to cross none.
@@ -482,11 +502,38 @@ constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>>
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API bvh build_triangle_tree(std::span<const box<T, 3>> boxes, const bvh_options& config,
+                                const executor_ref& executor,
+                                const function_ref<std::array<point<T, 3>, 3>(std::size_t)>& at) {
+  using triangle_at = function_ref<std::array<point<T, 3>, 3>(std::size_t)>;
+  return build_tree(boxes, config, executor, [&at](double scale) { return triangle_cut<triangle_at>{at, scale}; });
+}
 
 template <Floating T, Floating U, RayCounts C>
-[[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
-                                                                C& counts) noexcept {
+IRG_API bool is_admitted_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                             const function_ref<bool(std::uint32_t)>& admits, C& counts) {
+  return crosses_any(triangles.tree(), triangle_blocks::of(triangles), r, counts, admits);
+}
+
+template <Floating T, Floating U, RayCounts C>
+IRG_API void each_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                      const function_ref<void(const triangle_hit&)>& sink, C& counts) {
+  const std::span<const triangle_block<T>> blocks = triangle_blocks::of(triangles);
+  each_crossing(triangles.tree(), blocks, r, counts, [&](const triangle_ray& q, const first_crossing& x) {
+    sink(triangle_hit{x.number, finished_crossing(q, blocks, x)});
+  });
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T, Floating U, RayCounts C>
+[[nodiscard]] IRG_API std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                                              C& counts) noexcept {
   std::optional<triangle_hit> hit;
   detail::find_first_crossing(triangles.tree(), detail::triangle_blocks::of(triangles), r, counts,
                               [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
@@ -497,8 +544,8 @@ template <Floating T, Floating U, RayCounts C>
 }
 
 template <Floating T, Floating U, RayCounts C>
-constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
-                            std::span<std::optional<triangle_hit>> hits, C& counts) {
+IRG_API void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
+                          std::span<std::optional<triangle_hit>> hits, C& counts) {
   IRG_EXPECTS(rays.size() == hits.size());
   std::size_t i = 0;
   for (; i < rays.size(); ++i) {
@@ -519,24 +566,11 @@ constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ra
   }
 }
 
-template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, RayCounts C>
-[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Admits& admits,
-                                     C& counts) {
-  return detail::crosses_any(triangles.tree(), detail::triangle_blocks::of(triangles), r, counts, admits);
-}
-
 template <Floating T, Floating U, RayCounts C>
-[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, C& counts) noexcept {
-  return any_hit(triangles, r, [](std::uint32_t) { return true; }, counts);
+[[nodiscard]] IRG_API bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, C& counts) noexcept {
+  return detail::crosses_any(triangles.tree(), detail::triangle_blocks::of(triangles), r, counts,
+                             [](std::uint32_t) { return true; });
 }
 
-template <Floating T, Floating U, class Sink, RayCounts C>
-constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink, C& counts) {
-  detail::each_crossing(
-      triangles.tree(), detail::triangle_blocks::of(triangles), r, counts,
-      [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
-        sink(triangle_hit{x.number, detail::finished_crossing(q, detail::triangle_blocks::of(triangles), x)});
-      });
-}
-
-}  // namespace irg::inline IRG_ABI
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -2,15 +2,21 @@
 // Lamps with an extent: rods and panels, and what share of them is seen from a point: soft shadows.
 #pragma once
 
+#include <span>
+
+#include <irg/trace/ray_world.hpp>
+#if IRG_BODIES
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
+#include <irg/shade/phong_model.hpp>
 #include <irg/spatial/bvh_hits.hpp>
 #include <irg/trace/trace_ray.hpp>
+#endif
 
 namespace irg {
 
@@ -23,6 +29,33 @@ struct area_light {
   bool operator==(const area_light&) const = default;
 };
 
+inline namespace IRG_COMPILED_ABI {
+
+/// The share of the rod from a to b that is seen from p past the triangles of a world, whatever they let through.
+/// gives   1 where p, a and b stand on a line and nothing is decided; triangles in the plane of the three hide nothing
+/// exact   in closed form: no samples are taken. Off by some roundings, times the size of coordinates over that of the
+///         triangle p, a, b
+/// cost    the triangles whose boxes meet the box of p, a and b; allocates the parts that they hide
+/// source  irg's own: what triangles hide of the rod, part by part
+template <Floating T>
+[[nodiscard]] IRG_API T lit_share_of_rod(const ray_world<T>& world, const point<T, 3>& p, const point<T, 3>& a,
+                                         const point<T, 3>& b);
+
+/// The light of a surface's own under panels and rods, beside that of the world's lamps: the mean of `samples` by
+/// `samples` places of each panel, one to each of as many equal parts; a rod by the share of it that is seen.
+/// gives   as many as 64 by 64 samples; a panel shines to both sides
+/// exact   each place as a lamp there: what is between is decided as any_hit. The same bits everywhere
+/// cost    samples^2 rays for each panel, a box for each rod
+template <Floating T>
+[[nodiscard]] IRG_API rgb<T> soft_light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
+                                                   const point<T, 3>& eye, std::span<const area_light<T>> lights,
+                                                   int samples);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg {
 namespace detail::inline IRG_ABI {
 
 // What a triangle hides of the rod ab from p: the parts of it, 0 to 1. In the plane of p, a and b, with q = p + s (a -
@@ -74,17 +107,11 @@ constexpr std::pair<T, T> hidden_part(const point<T, 3>& p, const vec<T, 3>& a, 
 
 }  // namespace detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
-/// The share of the rod from a to b that is seen from p past the triangles of a world, whatever they let through.
-/// gives   1 where p, a and b stand on a line and nothing is decided; triangles in the plane of the three hide nothing
-/// exact   in closed form: no samples are taken. Off by some roundings, times the size of coordinates over that of the
-///         triangle p, a, b
-/// cost    the triangles whose boxes meet the box of p, a and b; allocates the parts that they hide
-/// source  irg's own: what triangles hide of the rod, part by part
 template <Floating T>
-[[nodiscard]] constexpr T lit_share_of_rod(const ray_world<T>& world, const point<T, 3>& p, const point<T, 3>& a,
-                                           const point<T, 3>& b) {
+[[nodiscard]] IRG_API T lit_share_of_rod(const ray_world<T>& world, const point<T, 3>& p, const point<T, 3>& a,
+                                         const point<T, 3>& b) {
   const T scale = detail::scale_of(a - p, b - p);
   const vec<T, 3> to_a = (a - p) * scale, to_b = (b - p) * scale, n = cross(to_a, to_b);
   if (!(T(0) < dot(n, n))) return T(1);
@@ -102,15 +129,10 @@ template <Floating T>
   return clamped(T(1) - dark, T(0), T(1));
 }
 
-/// The light of a surface's own under panels and rods, beside that of the world's lamps: the mean of `samples` by
-/// `samples` places of each panel, one to each of as many equal parts; a rod by the share of it that is seen.
-/// gives   as many as 64 by 64 samples; a panel shines to both sides
-/// exact   each place as a lamp there: what is between is decided as any_hit. The same bits everywhere
-/// cost    samples^2 rays for each panel, a box for each rod
 template <Floating T>
-[[nodiscard]] constexpr rgb<T> soft_light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
-                                                     const point<T, 3>& eye, std::span<const area_light<T>> lights,
-                                                     int samples) {
+[[nodiscard]] IRG_API rgb<T> soft_light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
+                                                   const point<T, 3>& eye, std::span<const area_light<T>> lights,
+                                                   int samples) {
   const int n = clamped(samples, 1, 64);
   const material<T>& surface = world.body(s.body).surface;
   const point<T, 3> from = detail::offset_origin(s, s.face);
@@ -137,5 +159,6 @@ template <Floating T>
   return sum;
 }
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg
+#endif

@@ -11,11 +11,13 @@
 #include <span>
 #include <vector>
 
+#include <irg/math/vec.hpp>
+#if IRG_BODIES
 #include <irg/geometry/compare.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
-#include <irg/math/vec.hpp>
+#endif
 
 namespace irg {
 
@@ -69,7 +71,82 @@ struct plan_finding {
   bool operator==(const plan_finding&) const = default;
 };
 
-namespace detail::inline IRG_ABI {
+/// A portal as one passes it: into which cell, and which of its ends are to the right and to the left.
+template <Floating T>
+struct doorway {
+  std::uint32_t to = 0, portal = 0;
+  point<T, 2> right{}, left{};
+  bool operator==(const doorway&) const = default;
+};
+
+namespace detail {
+
+// The doorways of cell c are doors[i] for i from first[c] to first[c + 1].
+template <Floating T>
+struct door_lists {
+  std::vector<std::uint32_t> first{};
+  std::vector<doorway<T>> doors{};
+};
+
+struct portal_lists;
+
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API door_lists<T> door_lists_of(const cell_plan<T>& plan);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The portals of each cell, as one leaves it.
+/// needs   a plan without defects
+template <Floating T>
+class portal_graph {
+public:
+  /// cost    linear; allocates the result
+  constexpr explicit portal_graph(const cell_plan<T>& plan) : lists_(detail::door_lists_of(plan)) {}
+  [[nodiscard]] constexpr std::size_t cell_count() const noexcept { return lists_.first.size() - 1; }
+  /// needs   a cell of the plan
+  [[nodiscard]] constexpr std::span<const doorway<T>> doors(std::uint32_t cell) const noexcept {
+    return {lists_.doors.data() + lists_.first[cell], lists_.first[cell + 1] - lists_.first[cell]};
+  }
+
+private:
+  friend struct detail::portal_lists;
+
+  detail::door_lists<T> lists_;
+};
+
+}  // namespace IRG_ABI
+
+namespace detail {
+
+// The lists of a graph.
+struct portal_lists {
+  template <Floating T>
+  IRG_INLINE static constexpr const door_lists<T>& of(const portal_graph<T>& graph) noexcept {
+    return graph.lists_;
+  }
+};
+
+}  // namespace detail
+
+inline namespace IRG_COMPILED_ABI {
+
+/// The first thing that is wrong with a plan, cells first; `none` when its portals and cells keep what cell_plan says.
+/// exact   for all coordinates, infinities and NaN included
+/// cost    the corners of both cells for each portal, and for each cell the square of its portals; allocates for their
+///         lists
+template <Floating T>
+[[nodiscard]] IRG_API plan_finding validate(const cell_plan<T>& plan);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // On which side of the line ab the corners of a cell lie that are not on it; 0 when there are corners on both sides.
 template <class T>
@@ -134,53 +211,6 @@ constexpr plan_finding find_portal_defect(const cell_plan<T>& plan, std::size_t 
   return {};
 }
 
-}  // namespace detail::inline IRG_ABI
-
-/// A portal as one passes it: into which cell, and which of its ends are to the right and to the left.
-template <Floating T>
-struct doorway {
-  std::uint32_t to = 0, portal = 0;
-  point<T, 2> right{}, left{};
-  bool operator==(const doorway&) const = default;
-};
-
-inline namespace IRG_ABI {
-
-/// The portals of each cell, as one leaves it.
-/// needs   a plan without defects
-template <Floating T>
-class portal_graph {
-public:
-  /// cost    linear; allocates the result
-  constexpr explicit portal_graph(const cell_plan<T>& plan) : first_(plan.cells.size() + 1, std::uint32_t{0}) {
-    for (const plan_portal<T>& p : plan.portals) ++first_[p.first + 1], ++first_[p.second + 1];
-    for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c + 1] += first_[c];
-    std::vector<std::uint32_t> next(first_.begin(), first_.end());
-    doors_.assign(2 * plan.portals.size(), doorway<T>{});
-    for (std::size_t i = 0; i < plan.portals.size(); ++i) {
-      const plan_portal<T>& p = plan.portals[i];
-      const auto number = static_cast<std::uint32_t>(i);
-      const bool is_first_left = detail::side_of_cell(plan.cells[p.first], p.a, p.b) > 0;
-      const point<T, 2>&right = is_first_left ? p.a : p.b, &left = is_first_left ? p.b : p.a;
-      doors_[next[p.first]++] = {p.second, number, right, left};
-      doors_[next[p.second]++] = {p.first, number, left, right};
-    }
-  }
-  [[nodiscard]] constexpr std::size_t cell_count() const noexcept { return first_.size() - 1; }
-  /// needs   a cell of the plan
-  [[nodiscard]] constexpr std::span<const doorway<T>> doors(std::uint32_t cell) const noexcept {
-    return {doors_.data() + first_[cell], first_[cell + 1] - first_[cell]};
-  }
-
-private:
-  std::vector<std::uint32_t> first_;
-  std::vector<doorway<T>> doors_;
-};
-
-}  // namespace IRG_ABI
-
-namespace detail::inline IRG_ABI {
-
 // Follows all ways through doors that enter(door) lets pass, depth first; leave() takes the last door back. False when
 // more than most_doors were asked.
 // shape   doors(cell): the doors of a cell, which lead `to` another one
@@ -205,16 +235,40 @@ constexpr bool walk_ways(std::uint32_t cell, std::uint64_t most_doors, const Doo
   return true;
 }
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
-/// The first thing that is wrong with a plan, cells first; `none` when its portals and cells keep what cell_plan says.
-/// exact   for all coordinates, infinities and NaN included
-/// cost    the corners of both cells for each portal, and for each cell the square of its portals; allocates for their
-///         lists
 template <Floating T>
-[[nodiscard]] constexpr plan_finding validate(const cell_plan<T>& plan) {
+constexpr std::span<const doorway<T>> doors_at(const door_lists<T>& lists, std::uint32_t cell) noexcept {
+  return {lists.doors.data() + lists.first[cell], lists.first[cell + 1] - lists.first[cell]};
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API door_lists<T> door_lists_of(const cell_plan<T>& plan) {
+  door_lists<T> lists{std::vector<std::uint32_t>(plan.cells.size() + 1, std::uint32_t{0})};
+  auto& [first, doors] = lists;
+  for (const plan_portal<T>& p : plan.portals) ++first[p.first + 1], ++first[p.second + 1];
+  for (std::size_t c = 0; c + 1 < first.size(); ++c) first[c + 1] += first[c];
+  std::vector<std::uint32_t> next(first.begin(), first.end());
+  doors.assign(2 * plan.portals.size(), doorway<T>{});
+  for (std::size_t i = 0; i < plan.portals.size(); ++i) {
+    const plan_portal<T>& p = plan.portals[i];
+    const auto number = static_cast<std::uint32_t>(i);
+    const bool is_first_left = side_of_cell(plan.cells[p.first], p.a, p.b) > 0;
+    const point<T, 2>&right = is_first_left ? p.a : p.b, &left = is_first_left ? p.b : p.a;
+    doors[next[p.first]++] = {p.second, number, right, left};
+    doors[next[p.second]++] = {p.first, number, left, right};
+  }
+  return lists;
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+[[nodiscard]] IRG_API plan_finding validate(const cell_plan<T>& plan) {
   if (plan.cells.size() > 0x7fffffff) return {plan_defect::too_many_cells, 0x7fffffff, 0};
   for (std::size_t c = 0; c < plan.cells.size(); ++c)
     if (const plan_defect d = detail::defect_of_cell(plan.cells[c]); d != plan_defect::none)
@@ -231,5 +285,5 @@ template <Floating T>
   return {};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

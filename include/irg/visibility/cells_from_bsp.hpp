@@ -13,14 +13,16 @@
 #include <utility>
 #include <vector>
 
-#include <irg/core/contract.hpp>
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/crossing_point.hpp>
-#include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/vocabulary.hpp>
-#include <irg/geometry/triangulate_ear_clipping.hpp>
 #include <irg/spatial/bsp_tree_2d.hpp>
 #include <irg/visibility/cell_plan.hpp>
+#if IRG_BODIES
+#include <irg/core/contract.hpp>
+#include <irg/geometry/crossing_point.hpp>
+#include <irg/geometry/orient2d.hpp>
+#include <irg/geometry/triangulate_ear_clipping.hpp>
+#endif
 
 namespace irg {
 
@@ -33,7 +35,7 @@ struct bsp_cells {
   bool operator==(const bsp_cells&) const = default;
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// The cells and portals of what is in a window, by a BSP tree of its walls. All cells have the heights 0 and 1.
 /// needs   a tree of these walls; a window with finite corners that has an area, coordinates below 2^500
@@ -44,9 +46,13 @@ inline namespace IRG_ABI {
 /// cost    the sides of each leaf for each node above it; allocates the result
 /// source  Airey 1990; Teller and Sequin 1991
 template <Floating T>
-[[nodiscard]] constexpr bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
-                                                    std::span<const std::type_identity_t<segment<T, 2>>> walls,
-                                                    const box<T, 2>& window);
+[[nodiscard]] IRG_API bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
+                                                  std::span<const std::type_identity_t<segment<T, 2>>> walls,
+                                                  const box<T, 2>& window);
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
 
 /// The same for walls whose tree is not wanted otherwise.
 template <Floating T>
@@ -55,8 +61,10 @@ template <Floating T>
 }
 
 }  // namespace IRG_ABI
+}  // namespace irg
 
-namespace detail::inline IRG_ABI {
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // From the leaves of a BSP tree to convex cells and portals. Leaves are lists of lines, and whether a line divides one
 // is decided exactly; corners are rounded once, so that two leaves round the same corner alike. What rounding bends out
@@ -293,19 +301,19 @@ private:
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
-                                                    std::span<const std::type_identity_t<segment<T, 2>>> walls,
-                                                    const box<T, 2>& window) {
+[[nodiscard]] IRG_API bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
+                                                  std::span<const std::type_identity_t<segment<T, 2>>> walls,
+                                                  const box<T, 2>& window) {
   IRG_EXPECTS(window.low.x < window.high.x && window.low.y < window.high.y);
   bsp_cells<T> out;
   out.plan = detail::bsp_cell_builder<T>(tree, walls, window).run(out.cut, out.left_out);
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -9,12 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include <irg/geometry/vocabulary.hpp>
+#include <irg/math/vec.hpp>
+#if IRG_BODIES
 #include <irg/geometry/compare.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/vocabulary.hpp>
-#include <irg/math/vec.hpp>
 #include <irg/visibility/detail/turn_between.hpp>
+#endif
 
 namespace irg {
 
@@ -34,7 +36,29 @@ struct cut_segment {
   bool operator==(const cut_segment&) const = default;
 };
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
+
+/// Cuts the edges of a ring and the obstacles that cross them, in the points nearest to where they do: a light that
+/// walls cut, for weak_visibility.
+/// needs   finite coordinates; three points or more, else nothing is cut across the way back
+/// gives   edges and obstacles bent by as much as these points are rounded, obstacles along an edge with it. In plans
+///         so fine that bent ones cross again and again, some may be left that cross; weak_visibility says so
+/// exact   which ones cross, and which lie along an edge; where is correctly rounded
+/// cost    the edges times the obstacles, a few times over; allocates
+template <Floating T>
+[[nodiscard]] IRG_API cut_source<T> cut_source_rounded(std::span<const point<T, 2>> ring,
+                                                       std::span<const std::type_identity_t<segment<T, 2>>> obstacles);
+
+/// The same for a segment that shines: its pieces are a source of weak_visibility as a list.
+template <Floating T>
+[[nodiscard]] IRG_API cut_segment<T> cut_segment_rounded(
+    const segment<T, 2>& source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // A chain of edges and obstacles. First the ends of obstacles on edges become corners, and obstacles along edges are
 // cut at corners: these are edges then, or in none. When an edge is bent where an obstacle crosses it, such obstacles
@@ -113,28 +137,20 @@ private:
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
-/// Cuts the edges of a ring and the obstacles that cross them, in the points nearest to where they do: a light that
-/// walls cut, for weak_visibility.
-/// needs   finite coordinates; three points or more, else nothing is cut across the way back
-/// gives   edges and obstacles bent by as much as these points are rounded, obstacles along an edge with it. In plans
-///         so fine that bent ones cross again and again, some may be left that cross; weak_visibility says so
-/// exact   which ones cross, and which lie along an edge; where is correctly rounded
-/// cost    the edges times the obstacles, a few times over; allocates
 template <Floating T>
-[[nodiscard]] constexpr cut_source<T> cut_source_rounded(
-    std::span<const point<T, 2>> ring, std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
+[[nodiscard]] IRG_API cut_source<T> cut_source_rounded(std::span<const point<T, 2>> ring,
+                                                       std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   detail::source_cutter<T> all(ring, obstacles);
   all.run();
   return {std::move(all.chain), std::move(all.obstacles)};
 }
 
-/// The same for a segment that shines: its pieces are a source of weak_visibility as a list.
 template <Floating T>
-[[nodiscard]] constexpr cut_segment<T> cut_segment_rounded(
+[[nodiscard]] IRG_API cut_segment<T> cut_segment_rounded(
     const segment<T, 2>& source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   const point<T, 2> ends[] = {source.a, source.b};
   detail::source_cutter<T> all(ends, obstacles);
@@ -145,5 +161,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

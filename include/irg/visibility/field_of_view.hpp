@@ -11,10 +11,14 @@
 #include <vector>
 
 #include <irg/core/scalar.hpp>
-#include <irg/math/wide_int.hpp>
 #include <irg/spatial/walled_grid.hpp>
-#include <irg/visibility/detail/row_sweep.hpp>
+#include <irg/visibility/detail/open_sectors.hpp>
 #include <irg/visibility/see.hpp>
+#if IRG_BODIES
+#include <irg/core/contract.hpp>
+#include <irg/math/wide_int.hpp>
+#include <irg/visibility/detail/row_sweep.hpp>
+#endif
 
 namespace irg {
 
@@ -121,7 +125,28 @@ template <CellGrid G>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <class Memory>
+IRG_API void add_seen(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
+                      const view_options& o);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+template <std::derived_from<view_memory> Memory>
+constexpr void add_field_of_view(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
+                                 const view_options& o) {
+  using known = std::conditional_t<std::derived_from<Memory, counted_view_memory>, counted_view_memory, view_memory>;
+  detail::add_seen<known>(map, viewer, seen, memory, o);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // The cells that are seen from one in space, found sector by sector.
 //
@@ -446,25 +471,25 @@ constexpr void sweep(const walled_grid& map, const cell3& viewer, const view_opt
   if constexpr (counts) count_looks(viewer, o.radius, memory);
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <std::derived_from<view_memory> Memory>
-constexpr void add_field_of_view(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
-                                 const view_options& o) {
+template <class Memory>
+IRG_API void add_seen(const walled_grid& map, const cell3& viewer, cell_grid& seen, Memory& memory,
+                      const view_options& o) {
   IRG_EXPECTS(seen.extent() == map.extent());
   if (!map.extent().holds(viewer) || o.radius < 0) return;
   const bool tested = o.rules.ends == end_cells::tested;
   if (tested && map.is_full(viewer)) return;
   const bool all = o.cone.from == cell{} || o.cone.to == cell{};
-  if (all && !tested) return detail::sweep(map, viewer, o, memory, seen);
+  if (all && !tested) return sweep(map, viewer, o, memory, seen);
   cell_grid found(map.extent());
-  detail::sweep(map, viewer, o, memory, found);
+  sweep(map, viewer, o, memory, found);
   found.for_each([&](const cell3& c) {
-    if (detail::in_cone(o.cone, viewer, c) && !(tested && map.is_full(c))) seen.set(c);
+    if (in_cone(o.cone, viewer, c) && !(tested && map.is_full(c))) seen.set(c);
   });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

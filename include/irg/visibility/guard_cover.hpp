@@ -9,15 +9,17 @@
 #include <utility>
 #include <vector>
 
+#include <irg/math/vec.hpp>
+#if IRG_BODIES
 #include <irg/core/is_finite.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/compare.hpp>
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
-#include <irg/math/vec.hpp>
 #include <irg/visibility/detail/sight_arrangement.hpp>
 #include <irg/visibility/detail/source_view.hpp>
+#endif
 
 namespace irg {
 
@@ -47,7 +49,7 @@ struct guard_cover {
   IRG_INLINE constexpr explicit operator bool() const noexcept { return status == guard_status::ok; }
 };
 
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// Corners of the plan from which together all of it is seen, and the parts that prove it.
 /// shape   rings of any direction and in any order; a ring inside another one is a hole, one inside a hole a room
@@ -61,11 +63,13 @@ inline namespace IRG_ABI {
 ///         plans of some dozens of corners
 /// source  Ghosh 1987 (greedy over the parts that corners see)
 template <Floating T>
-[[nodiscard]] constexpr guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings);
+[[nodiscard]] IRG_API guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings);
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
 
-namespace detail::inline IRG_ABI {
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // From a plan to its guards: the plan is cut along the sight lines at which what a corner sees begins or ends; each
 // part is asked from which corners it is seen; corners are chosen until each part has one.
@@ -320,14 +324,14 @@ private:
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings) {
+[[nodiscard]] IRG_API guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings) {
   return detail::guard_set_cover<T>().run(rings);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/geometry/compare.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/spatial/cell_grid.hpp>
 #include <irg/visibility/cell_plan.hpp>
@@ -109,23 +110,14 @@ private:
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
 
-// Marks the cells that at most so many portals lead to from the cell of a row; none is marked before.
-template <Floating T>
-constexpr void mark_connected(const portal_graph<T>& graph, int row, std::uint32_t most_portals, cell_grid& seen) {
-  std::vector<std::uint32_t> reached(1, static_cast<std::uint32_t>(row));
-  seen.set({row, row, 0});
-  for (std::size_t first = 0, depth = 0; first < reached.size() && depth < most_portals; ++depth)
-    for (const std::size_t last = reached.size(); first < last; ++first)
-      for (const doorway<T>& d : graph.doors(reached[first]))
-        if (const cell3 at{static_cast<int>(d.to), row, 0}; !seen.is_full(at)) {
-          seen.set(at);
-          reached.push_back(d.to);
-        }
-}
+template <class Sets, Floating T>
+IRG_API Sets sets_seen(const door_lists<T>& lists, const visible_set_options& options);
+template <class Sets, Floating T>
+IRG_API Sets sets_connected(const door_lists<T>& lists, std::uint32_t most_portals);
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -142,27 +134,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr visible_sets potentially_visible(const portal_graph<T>& graph,
                                                          const visible_set_options& options = {}) {
-  const auto cells = static_cast<int>(graph.cell_count());
-  visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
-  stabbing_lines<T> lines;
-  for (int row = 0; row < cells; ++row) {
-    const auto enter = [&](const doorway<T>& d) {
-      if (!lines.passes(d)) return false;
-      lines.enter(d);
-      out.seen.set({static_cast<int>(d.to), row, 0});
-      return true;
-    };
-    out.seen.set({row, row, 0});
-    if (detail::walk_ways(
-            static_cast<std::uint32_t>(row), options.most_doors, [&](std::uint32_t c) { return graph.doors(c); }, enter,
-            [&] { lines.leave(); }))
-      continue;
-    while (lines.size() > 0) lines.leave();
-    for (int c = 0; c < cells; ++c) out.seen.set({c, row, 0}, false);
-    detail::mark_connected(graph, row, no_index, out.seen);
-    ++out.unfinished;
-  }
-  return out;
+  return detail::sets_seen<visible_sets>(detail::portal_lists::of(graph), options);
 }
 
 /// The same for a plan.
@@ -178,11 +150,65 @@ template <Floating T>
 /// cost    a pass over the portals for each cell
 template <Floating T>
 [[nodiscard]] constexpr visible_sets connected_cells(const portal_graph<T>& graph, std::uint32_t most_portals) {
-  const auto cells = static_cast<int>(graph.cell_count());
-  visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
-  for (int row = 0; row < cells; ++row) detail::mark_connected(graph, row, most_portals, out.seen);
-  return out;
+  return detail::sets_connected<visible_sets>(detail::portal_lists::of(graph), most_portals);
 }
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
+// Marks the cells that at most so many portals lead to from the cell of a row; none is marked before.
+template <Floating T>
+constexpr void mark_connected(const door_lists<T>& lists, int row, std::uint32_t most_portals, cell_grid& seen) {
+  std::vector<std::uint32_t> reached(1, static_cast<std::uint32_t>(row));
+  seen.set({row, row, 0});
+  for (std::size_t first = 0, depth = 0; first < reached.size() && depth < most_portals; ++depth)
+    for (const std::size_t last = reached.size(); first < last; ++first)
+      for (const doorway<T>& d : doors_at(lists, reached[first]))
+        if (const cell3 at{static_cast<int>(d.to), row, 0}; !seen.is_full(at)) {
+          seen.set(at);
+          reached.push_back(d.to);
+        }
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Sets, Floating T>
+IRG_API Sets sets_seen(const door_lists<T>& lists, const visible_set_options& options) {
+  const auto cells = static_cast<int>(lists.first.size() - 1);
+  Sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
+  stabbing_lines<T> lines;
+  for (int row = 0; row < cells; ++row) {
+    const auto enter = [&](const doorway<T>& d) {
+      if (!lines.passes(d)) return false;
+      lines.enter(d);
+      out.seen.set({static_cast<int>(d.to), row, 0});
+      return true;
+    };
+    out.seen.set({row, row, 0});
+    if (walk_ways(
+            static_cast<std::uint32_t>(row), options.most_doors, [&](std::uint32_t c) { return doors_at(lists, c); },
+            enter, [&] { lines.leave(); }))
+      continue;
+    while (lines.size() > 0) lines.leave();
+    for (int c = 0; c < cells; ++c) out.seen.set({c, row, 0}, false);
+    mark_connected(lists, row, no_index, out.seen);
+    ++out.unfinished;
+  }
+  return out;
+}
+
+template <class Sets, Floating T>
+IRG_API Sets sets_connected(const door_lists<T>& lists, std::uint32_t most_portals) {
+  const auto cells = static_cast<int>(lists.first.size() - 1);
+  Sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
+  for (int row = 0; row < cells; ++row) mark_connected(lists, row, most_portals, out.seen);
+  return out;
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -11,21 +11,49 @@
 #include <type_traits>
 #include <vector>
 
-#include <irg/core/is_finite.hpp>
-#include <irg/core/vocabulary.hpp>
-#include <irg/core/contraction.hpp>
-#include <irg/core/conversion.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/vocabulary.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
+#if IRG_BODIES
+#include <irg/core/contraction.hpp>
+#include <irg/core/conversion.hpp>
+#include <irg/core/is_finite.hpp>
+#include <irg/core/vocabulary.hpp>
+#endif
 
 namespace irg {
-namespace detail::inline IRG_ABI {
+namespace detail {
+
+// Which walls are in which tiles, and where the tiles are.
+struct wall_tile_lists {
+  double low[2]{}, width[2]{}, per_unit[2]{};
+  int size[2]{1, 1};
+  std::vector<std::size_t> begin{};
+  std::vector<std::uint32_t> list{};
+};
 
 template <Floating T>
-class wall_tiles;
+struct walls_in_tiles {
+  std::vector<segment<T, 2>> walls{};
+  std::vector<segment<T, 2>> tiled{};    // the same in the order of tiles
+  std::vector<std::uint32_t> numbers{};  // which they are of the walls
+  box<T, 2> domain{};
+  wall_tile_lists tiles{};
+  bool all_finite = true;
+};
 
-}  // namespace detail::inline IRG_ABI
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API walls_in_tiles<T> put_in_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain);
+template <Floating T>
+IRG_API visible_region<T> region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source);
+template <Floating T>
+IRG_API visible_region<T> counted_region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source,
+                                               sight_counts& counts);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace detail
 
 inline namespace IRG_ABI {
 
@@ -35,14 +63,7 @@ class prepared_walls {
 public:
   /// cost    sorts the walls into about as many tiles; allocates
   constexpr prepared_walls(std::span<const std::type_identity_t<segment<T, 2>>> walls, const box<T, 2>& domain)
-      : walls_(walls.begin(), walls.end()), domain_(domain) {
-    for (const auto& w : walls_) all_finite_ = all_finite_ && is_finite(w.a, w.b);
-    if (!all_finite_) return;
-    tiles_ = detail::wall_tiles<T>(walls_, domain);
-    numbers_ = tiles_.renumber(walls_.size());
-    tiled_.reserve(walls_.size());
-    for (const std::uint32_t w : numbers_) tiled_.push_back(walls_[w]);
-  }
+      : prepared_(detail::put_in_tiles<T>(walls, domain)) {}
 
   /// What is seen from a point.
   /// gives   the same as visibility_polygon(source, domain, walls); the ring may begin at another of its corners
@@ -50,73 +71,58 @@ public:
   /// cost    the tiles that are seen, and a visibility polygon of the walls in them that no nearer tiles hide; where
   ///         these are more than a sixteenth of all, visibility_polygon and as much again at most
   [[nodiscard]] constexpr visible_region<T> seen_from(const point<T, 2>& source) const {
-    return look(source,
-                [&](std::span<const segment<T, 2>> walls) { return visibility_polygon(source, domain_, walls); });
+    return detail::region_among(prepared_, source);
   }
 
   /// The same, and adds to the counts what it took: walls in tiles that nearer ones hide are passed over.
   [[nodiscard]] constexpr visible_region<T> seen_from(const point<T, 2>& source, sight_counts& counts) const {
-    sight_counts took;
-    visible_region<T> seen = look(source, [&](std::span<const segment<T, 2>> walls) {
-      return visibility_polygon(source, domain_, walls, {}, took);
-    });
-    const std::int64_t all = static_cast<std::int64_t>(walls_.size()) + (domain_.empty() ? 0 : 4);
-    took.passed_over += all - took.walls;
-    took.walls = all;
-    counts += took;
-    return seen;
+    return detail::counted_region_among(prepared_, source, counts);
   }
 
 private:
-  // Polygon gives the visibility polygon among walls; it is asked once at most.
-  template <class Polygon>
-  [[nodiscard]] constexpr visible_region<T> look(const point<T, 2>& source, const Polygon& polygon) const;
-
-  std::vector<segment<T, 2>> walls_;
-  std::vector<segment<T, 2>> tiled_{};    // the same in the order of tiles
-  std::vector<std::uint32_t> numbers_{};  // which they are of the walls
-  box<T, 2> domain_;
-  detail::wall_tiles<T> tiles_{};
-  bool all_finite_ = true;
+  detail::walls_in_tiles<T> prepared_;
 };
 
 }  // namespace IRG_ABI
+}  // namespace irg
 
-namespace detail::inline IRG_ABI {
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // Walls sorted into the tiles that they may meet: too many of them, never too few. The tile of a point is a rounded
 // number that never falls as a coordinate rises.
-template <Floating T>
+template <Floating T, class Lists>
 class wall_tiles {
 public:
-  constexpr wall_tiles() = default;
-  constexpr wall_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain) {
+  constexpr explicit wall_tiles(Lists& lists) noexcept : lists_(&lists) {}
+
+  constexpr void fill(std::span<const segment<T, 2>> walls, const box<T, 2>& domain) {
     box<T, 2> around{};
     for (const auto& w : walls) around = bounding_box(bounding_box(around, w.a), w.b);
     double most = 0, farthest = 0;
     for (int i = 0; i < 2; ++i) {
-      low_[i] = widened(maximum(around.low[i], domain.low[i]));
+      lists_->low[i] = widened(maximum(around.low[i], domain.low[i]));
       const double high = widened(minimum(around.high[i], domain.high[i]));
-      width_[i] = high - low_[i];
+      lists_->width[i] = high - lists_->low[i];
       for (const double v : {widened(around.low[i]), widened(around.high[i])})
         farthest = maximum(farthest, v < 0 ? -v : v);
-      most = maximum(most, maximum(low_[i] < 0 ? -low_[i] : low_[i], high < 0 ? -high : high));
+      most = maximum(most, maximum(lists_->low[i] < 0 ? -lists_->low[i] : lists_->low[i], high < 0 ? -high : high));
     }
     // Else all walls are in one tile: where coordinates have few digits that tell tiles apart, or may overflow.
-    const double least = minimum(width_[0], width_[1]);
+    const double least = minimum(lists_->width[0], lists_->width[1]);
     if (walls.size() > 8 && farthest < 0x1p500 && most < 0x1p500 && least > 0x1p-500 && least > most * 0x1p-20)
       choose_size(walls);
-    for (int i = 0; i < 2 && count() > 1; ++i) per_unit_[i] = size_[i] / width_[i];
+    for (int i = 0; i < 2 && count() > 1; ++i) lists_->per_unit[i] = lists_->size[i] / lists_->width[i];
     sort_in(walls);
   }
 
   constexpr std::size_t count() const noexcept {
-    return static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]);
+    return static_cast<std::size_t>(lists_->size[0]) * static_cast<std::size_t>(lists_->size[1]);
   }
-  constexpr int size(int axis) const noexcept { return size_[axis]; }
+  constexpr int size(int axis) const noexcept { return lists_->size[axis]; }
   constexpr std::span<const std::uint32_t> walls_in(int x, int y) const noexcept {
     const std::size_t tile = number_of(x, y);
-    return {list_.data() + begin_[tile], begin_[tile + 1] - begin_[tile]};
+    return {lists_->list.data() + lists_->begin[tile], lists_->begin[tile + 1] - lists_->begin[tile]};
   }
   // In the tile of a point, or what is nearest to it.
   constexpr std::span<const std::uint32_t> walls_at(const point<T, 2>& p) const noexcept {
@@ -124,9 +130,11 @@ public:
   }
   // Coordinates counted in tiles, and how far two points are from one another.
   // needs   count() > 1
-  constexpr double place_in_tiles(int axis, T v) const noexcept { return (widened(v) - low_[axis]) * per_unit_[axis]; }
+  constexpr double place_in_tiles(int axis, T v) const noexcept {
+    return (widened(v) - lists_->low[axis]) * lists_->per_unit[axis];
+  }
   constexpr double distance_in_tiles(int axis, T from, T to) const noexcept {
-    return (widened(to) - widened(from)) * per_unit_[axis];
+    return (widened(to) - widened(from)) * lists_->per_unit[axis];
   }
 
   // Numbers the walls anew, as tiles hold them first: what is near each other is so in memory, too. Gives the numbers
@@ -135,7 +143,7 @@ public:
     constexpr std::uint32_t none = no_index;
     std::vector<std::uint32_t> now(walls, none), before;
     before.reserve(walls);
-    for (std::uint32_t& w : list_) {
+    for (std::uint32_t& w : lists_->list) {
       if (now[w] == none) {
         now[w] = static_cast<std::uint32_t>(before.size());
         before.push_back(w);
@@ -146,18 +154,15 @@ public:
   }
 
 private:
-  double low_[2]{}, width_[2]{}, per_unit_[2]{};
-  int size_[2]{1, 1};
-  std::vector<std::size_t> begin_{};
-  std::vector<std::uint32_t> list_{};
+  Lists* lists_;
 
   constexpr std::size_t number_of(int x, int y) const noexcept {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_[0]) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(lists_->size[0]) + static_cast<std::size_t>(x);
   }
   constexpr int tile_of(int axis, double v) const noexcept {
-    if (size_[axis] == 1) return 0;
-    const double at = (v - low_[axis]) / width_[axis] * size_[axis];
-    return at < 1 ? 0 : at < size_[axis] - 1 ? static_cast<int>(at) : size_[axis] - 1;
+    if (lists_->size[axis] == 1) return 0;
+    const double at = (v - lists_->low[axis]) / lists_->width[axis] * lists_->size[axis];
+    return at < 1 ? 0 : at < lists_->size[axis] - 1 ? static_cast<int>(at) : lists_->size[axis] - 1;
   }
 
   // As many tiles as walls, if walls are short: fewer, until each wall is in some six of them at most.
@@ -165,10 +170,10 @@ private:
     double tiles = static_cast<double>(walls.size());
     for (std::size_t places = ~std::size_t{0}; places > 6 * walls.size() + 64 && tiles >= 1; tiles /= 4) {
       double across = 1;
-      while (across * across * width_[1] < tiles * width_[0] && across < 4096) across *= 2;
+      while (across * across * lists_->width[1] < tiles * lists_->width[0] && across < 4096) across *= 2;
       const double high = tiles / across;
-      size_[0] = static_cast<int>(across);
-      size_[1] = high < 1 ? 1 : high > 4096 ? 4096 : static_cast<int>(high);
+      lists_->size[0] = static_cast<int>(across);
+      lists_->size[1] = high < 1 ? 1 : high > 4096 ? 4096 : static_cast<int>(high);
       places = 0;
       for (const auto& w : walls)
         for_rows(w, [&](int, int first, int last) { places += static_cast<std::size_t>(last - first + 1); });
@@ -176,17 +181,17 @@ private:
   }
 
   constexpr void sort_in(std::span<const segment<T, 2>> walls) {
-    begin_.assign(count() + 1, std::size_t{0});
+    lists_->begin.assign(count() + 1, std::size_t{0});
     for (const auto& w : walls)
       for_rows(w, [&](int row, int first, int last) {
-        for (int i = first; i <= last; ++i) ++begin_[number_of(i, row) + 1];
+        for (int i = first; i <= last; ++i) ++lists_->begin[number_of(i, row) + 1];
       });
-    for (std::size_t i = 0; i + 1 < begin_.size(); ++i) begin_[i + 1] += begin_[i];
-    std::vector<std::size_t> next(begin_.begin(), begin_.end());
-    list_.assign(begin_.back(), std::uint32_t{0});
+    for (std::size_t i = 0; i + 1 < lists_->begin.size(); ++i) lists_->begin[i + 1] += lists_->begin[i];
+    std::vector<std::size_t> next(lists_->begin.begin(), lists_->begin.end());
+    lists_->list.assign(lists_->begin.back(), std::uint32_t{0});
     for (std::size_t k = 0; k < walls.size(); ++k)
       for_rows(walls[k], [&](int row, int first, int last) {
-        for (int i = first; i <= last; ++i) list_[next[number_of(i, row)]++] = static_cast<std::uint32_t>(k);
+        for (int i = first; i <= last; ++i) lists_->list[next[number_of(i, row)]++] = static_cast<std::uint32_t>(k);
       });
   }
 
@@ -198,14 +203,14 @@ private:
     const double low = minimum(y[0], y[1]), high = maximum(y[0], y[1]);
     const int first_row = tile_of(1, low), last_row = tile_of(1, high);
     const int first = tile_of(0, minimum(x[0], x[1])), last = tile_of(0, maximum(x[0], x[1]));
-    const double tall = width_[1] / size_[1], wide = width_[0] / size_[0];
+    const double tall = lists_->width[1] / lists_->size[1], wide = lists_->width[0] / lists_->size[0];
     for (int row = first_row; row <= last_row; ++row) {
       if (first_row == last_row || first == last) {
         f(row, first, last);
         continue;
       }
-      const double below = row == 0 ? low : low_[1] + row * tall - tall / 16;
-      const double above = row + 1 == size_[1] ? high : low_[1] + (row + 1) * tall + tall / 16;
+      const double below = row == 0 ? low : lists_->low[1] + row * tall - tall / 16;
+      const double above = row + 1 == lists_->size[1] ? high : lists_->low[1] + (row + 1) * tall + tall / 16;
       const auto at = [&](int i) {  // where the wall enters the row, or ends in it
         const double inner = y[i] < below ? below : above < y[i] ? above : y[i];
         if (inner == y[i]) return x[i];
@@ -225,9 +230,10 @@ private:
 template <Floating T>
 class occlusion_horizon {
 public:
-  constexpr occlusion_horizon(const wall_tiles<T>& tiles, std::span<const segment<T, 2>> walls,
-                              const point<T, 2>& source)
-      : tiles_(tiles), walls_(walls), source_(source), state_(walls.size(), unknown) {}
+  using tiles = wall_tiles<T, const wall_tile_lists>;
+
+  constexpr occlusion_horizon(const tiles& in, std::span<const segment<T, 2>> walls, const point<T, 2>& source)
+      : tiles_(in), walls_(walls), source_(source), state_(walls.size(), unknown) {}
 
   // The numbers of the walls; false when they are more than so many, or the source is too far away.
   constexpr bool find(std::size_t most, std::vector<std::uint32_t>& out) {
@@ -261,7 +267,7 @@ private:
     double u = 0, v = 0;
   };
 
-  const wall_tiles<T>& tiles_;
+  tiles tiles_;
   std::span<const segment<T, 2>> walls_;
   point<T, 2> source_;
   std::vector<std::uint8_t> state_;
@@ -474,30 +480,66 @@ private:
   }
 };
 
-}  // namespace detail::inline IRG_ABI
-
-inline namespace IRG_ABI {
-
-template <Floating T>
-template <class Polygon>
-constexpr visible_region<T> prepared_walls<T>::look(const point<T, 2>& source, const Polygon& polygon) const {
-  if (!all_finite_) return polygon(walls_);  // says what comes first
-  visible_region<T> seen = visibility_polygon(source, domain_);
+// polygon(walls) gives the visibility polygon among walls; it is asked once at most.
+template <Floating T, class Polygon>
+constexpr visible_region<T> look_among(const walls_in_tiles<T>& p, const point<T, 2>& source, const Polygon& polygon) {
+  if (!p.all_finite) return polygon(p.walls);  // says what comes first
+  visible_region<T> seen = visibility_polygon(source, p.domain);
   if (seen.ring.empty()) return seen;
   std::vector<std::uint32_t> nearby;
-  if (tiles_.count() == 1 ||
-      !detail::occlusion_horizon<T>(tiles_, tiled_, source).find(64 + walls_.size() / 16, nearby))
-    return polygon(walls_);
-  for (std::uint32_t& w : nearby) w = numbers_[w];
+  const wall_tiles<T, const wall_tile_lists> tiles(p.tiles);
+  if (tiles.count() == 1 || !occlusion_horizon<T>(tiles, p.tiled, source).find(64 + p.walls.size() / 16, nearby))
+    return polygon(p.walls);
+  for (std::uint32_t& w : nearby) w = p.numbers[w];
   std::sort(nearby.begin(), nearby.end());
   std::vector<segment<T, 2>> walls;
   walls.reserve(nearby.size());
-  for (const std::uint32_t w : nearby) walls.push_back(walls_[w]);
+  for (const std::uint32_t w : nearby) walls.push_back(p.walls[w]);
   seen = polygon(walls);
   for (auto& v : seen.ring)
     if (v.stop == sight_stop::obstacle) v.index = nearby[v.index];
   return seen;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API walls_in_tiles<T> put_in_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain) {
+  walls_in_tiles<T> p;
+  p.walls.assign(walls.begin(), walls.end());
+  p.domain = domain;
+  for (const auto& w : walls) p.all_finite = p.all_finite && is_finite(w.a, w.b);
+  if (!p.all_finite) return p;
+  wall_tiles<T, wall_tile_lists> tiles(p.tiles);
+  tiles.fill(walls, domain);
+  p.numbers = tiles.renumber(walls.size());
+  p.tiled.reserve(walls.size());
+  for (const std::uint32_t w : p.numbers) p.tiled.push_back(walls[w]);
+  return p;
+}
+
+template <Floating T>
+IRG_API visible_region<T> region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source) {
+  return look_among(prepared, source, [&](std::span<const segment<T, 2>> walls) {
+    return visibility_polygon(source, prepared.domain, walls);
+  });
+}
+
+template <Floating T>
+IRG_API visible_region<T> counted_region_among(const walls_in_tiles<T>& prepared, const point<T, 2>& source,
+                                               sight_counts& counts) {
+  sight_counts took;
+  visible_region<T> seen = look_among(prepared, source, [&](std::span<const segment<T, 2>> walls) {
+    return visibility_polygon(source, prepared.domain, walls, {}, took);
+  });
+  const std::int64_t all = static_cast<std::int64_t>(prepared.walls.size()) + (prepared.domain.empty() ? 0 : 4);
+  took.passed_over += all - took.walls;
+  took.walls = all;
+  counts += took;
+  return seen;
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

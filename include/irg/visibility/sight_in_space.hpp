@@ -8,13 +8,16 @@
 #include <optional>
 #include <vector>
 
+#include <irg/geometry/box.hpp>
+#include <irg/math/vec.hpp>
+#include <irg/mesh/mesh.hpp>
+#include <irg/visibility/sight_result.hpp>
+#if IRG_BODIES
 #include <irg/core/contract.hpp>
 #include <irg/core/contraction.hpp>
-#include <irg/geometry/box.hpp>
 #include <irg/math/sqrt.hpp>
-#include <irg/mesh/mesh.hpp>
 #include <irg/visibility/detail/space_blockers.hpp>
-#include <irg/visibility/sight_result.hpp>
+#endif
 
 namespace irg {
 
@@ -56,6 +59,10 @@ template <Floating T>
   return out;
 }
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// Whether q is seen from p: no face of the mesh is in the way, strictly between the two.
 /// shape   faces are convex and flat; others count as the triangles from their first corner. Faces without area stop
 ///         nothing
@@ -64,13 +71,8 @@ template <Floating T>
 /// exact   for all finite floats and doubles
 /// cost    a pass over the faces; some 20 ns for each on one side of whose plane both lie
 template <Floating T>
-[[nodiscard]] constexpr bool has_line_of_sight(const point<T, 3>& p, const point<T, 3>& q,
-                                               const mesh<T>& blockers) noexcept {
-  for (std::size_t f = 0; f < blockers.face_count(); ++f)
-    for (std::size_t k = 2; k < blockers.face_size(f); ++k)
-      if (detail::stops_sight(p, q, detail::fan_triangle(blockers, f, k))) return false;
-  return true;
-}
+[[nodiscard]] IRG_API bool has_line_of_sight(const point<T, 3>& p, const point<T, 3>& q,
+                                             const mesh<T>& blockers) noexcept;
 
 /// What two convex regions see of each other for sure: every place in one every place in the other, some of them some,
 /// or none any. Nothing where that is not known.
@@ -87,8 +89,45 @@ template <Floating T>
 ///         line
 /// source  irg's own, by planes that part convex hulls
 template <Floating T>
-[[nodiscard]] constexpr std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
-                                                             const mesh<T>& blockers) {
+[[nodiscard]] IRG_API std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
+                                                           const mesh<T>& blockers);
+
+/// The share of the lines between places in two regions that are free, by random ones, with error bars.
+/// shape   as sure_sight; places are spread evenly over segments, areas and boxes
+/// needs   1 <= how.lines, 0 <= how.deviations
+/// gives   the same lines for the same seed, everywhere
+/// exact   each line, between two rounded places; the error bars are Wilson's
+/// cost    a has_line_of_sight() for each line, past the faces near the regions
+/// source  Wilson 1927
+template <Floating T>
+[[nodiscard]] IRG_API sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
+                                                 const mesh<T>& blockers, const sight_sampling_options& how = {});
+
+/// What is sure about each face of a mesh, seen from a region past the others.
+/// shape   as sure_sight, a value for each face, which counts as seen from both sides
+/// cost    sure_sight for each face
+template <Floating T>
+[[nodiscard]] IRG_API std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from,
+                                                                                 const mesh<T>& m);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+[[nodiscard]] IRG_API bool has_line_of_sight(const point<T, 3>& p, const point<T, 3>& q,
+                                             const mesh<T>& blockers) noexcept {
+  for (std::size_t f = 0; f < blockers.face_count(); ++f)
+    for (std::size_t k = 2; k < blockers.face_size(f); ++k)
+      if (detail::stops_sight(p, q, detail::fan_triangle(blockers, f, k))) return false;
+  return true;
+}
+
+template <Floating T>
+[[nodiscard]] IRG_API std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
+                                                           const mesh<T>& blockers) {
   IRG_EXPECTS(!a.corners.empty() && !b.corners.empty());
   const detail::space_blockers<T> between(a.corners, b.corners, blockers);
   if (between.frees_all()) return seen_share::all;
@@ -103,16 +142,9 @@ template <Floating T>
   return std::nullopt;
 }
 
-/// The share of the lines between places in two regions that are free, by random ones, with error bars.
-/// shape   as sure_sight; places are spread evenly over segments, areas and boxes
-/// needs   1 <= how.lines, 0 <= how.deviations
-/// gives   the same lines for the same seed, everywhere
-/// exact   each line, between two rounded places; the error bars are Wilson's
-/// cost    a has_line_of_sight() for each line, past the faces near the regions
-/// source  Wilson 1927
 template <Floating T>
-[[nodiscard]] constexpr sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
-                                                   const mesh<T>& blockers, const sight_sampling_options& how = {}) {
+[[nodiscard]] IRG_API sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
+                                                 const mesh<T>& blockers, const sight_sampling_options& how) {
   IRG_EXPECTS(!a.corners.empty() && !b.corners.empty() && how.lines >= 1 && how.deviations >= 0);
   const detail::space_blockers<T> between(a.corners, b.corners, blockers);
   detail::place_chooser chooser{how.seed};
@@ -131,12 +163,9 @@ template <Floating T>
   return out;
 }
 
-/// What is sure about each face of a mesh, seen from a region past the others.
-/// shape   as sure_sight, a value for each face, which counts as seen from both sides
-/// cost    sure_sight for each face
 template <Floating T>
-[[nodiscard]] constexpr std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from,
-                                                                                   const mesh<T>& m) {
+[[nodiscard]] IRG_API std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from,
+                                                                                 const mesh<T>& m) {
   std::vector<std::optional<seen_share>> out;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     space_region<T> face;
@@ -146,5 +175,5 @@ template <Floating T>
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

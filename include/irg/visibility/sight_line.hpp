@@ -7,11 +7,14 @@
 #include <span>
 #include <type_traits>
 
-#include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/vocabulary.hpp>
-#include <irg/geometry/crossing_point.hpp>
-#include <irg/visibility/detail/turn_between.hpp>
+#include <irg/math/vec.hpp>
 #include <irg/visibility/sight_result.hpp>
+#if IRG_BODIES
+#include <irg/geometry/crossing_point.hpp>
+#include <irg/geometry/orient2d.hpp>
+#include <irg/visibility/detail/turn_between.hpp>
+#endif
 
 namespace irg {
 
@@ -21,7 +24,37 @@ enum class sight_reach {
   onwards,  // without end: a ray through q
 };
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
+
+/// The number of the obstacle that the way from p to q meets first, strictly between the two; or the ray from p through
+/// q, when it is followed onwards (ray shooting).
+/// shape   obstacles may touch, cross, overlap and be points. Those at p or q themselves stop no sight, unless they go
+///         on between the two; onwards q is a place as any other
+/// needs   finite coordinates
+/// gives   nothing when none is in the way, and when p == q; of several met at one place the lowest number
+/// exact   for all finite floats and doubles
+/// cost    one pass; some 10 ns for each obstacle that lies on one side
+template <Floating T>
+[[nodiscard]] IRG_API std::optional<std::size_t> first_obstacle(
+    const point<T, 2>& p, const point<T, 2>& q, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    obstacle_ends ends = obstacle_ends::closed, sight_reach reach = sight_reach::up_to) noexcept;
+
+/// Whether q is seen from p: no obstacle is in the way, strictly between the two.
+/// shape   as first_obstacle
+/// needs   finite coordinates
+/// gives   true when p == q; has_line_of_sight(p, q, ...) == has_line_of_sight(q, p, ...)
+/// exact   for all finite floats and doubles
+/// cost    as first_obstacle; ends at an obstacle in the way
+template <Floating T>
+[[nodiscard]] IRG_API bool has_line_of_sight(const point<T, 2>& p, const point<T, 2>& q,
+                                             std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                             obstacle_ends ends = obstacle_ends::closed) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // What stops sight from p towards q: where that is, is the point `at` of an obstacle that lies
 // along the way, or else the crossing with an obstacle, p being on this side of it.
@@ -68,22 +101,14 @@ constexpr bool is_hit_before(const segment<T, 2>& way, const sight_hit<T>& x, co
   return side_of_crossing(way, x.obstacle, y.obstacle) == static_cast<side>(y.side);
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
-/// The number of the obstacle that the way from p to q meets first, strictly between the two; or the ray from p through
-/// q, when it is followed onwards (ray shooting).
-/// shape   obstacles may touch, cross, overlap and be points. Those at p or q themselves stop no sight, unless they go
-///         on between the two; onwards q is a place as any other
-/// needs   finite coordinates
-/// gives   nothing when none is in the way, and when p == q; of several met at one place the lowest number
-/// exact   for all finite floats and doubles
-/// cost    one pass; some 10 ns for each obstacle that lies on one side
 template <Floating T>
-[[nodiscard]] constexpr std::optional<std::size_t> first_obstacle(
+[[nodiscard]] IRG_API std::optional<std::size_t> first_obstacle(
     const point<T, 2>& p, const point<T, 2>& q, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    obstacle_ends ends = obstacle_ends::closed, sight_reach reach = sight_reach::up_to) noexcept {
+    obstacle_ends ends, sight_reach reach) noexcept {
   const segment<T, 2> way{p, q};
   std::optional<std::size_t> first;
   detail::sight_hit<T> best;
@@ -96,21 +121,15 @@ template <Floating T>
   return first;
 }
 
-/// Whether q is seen from p: no obstacle is in the way, strictly between the two.
-/// shape   as first_obstacle
-/// needs   finite coordinates
-/// gives   true when p == q; has_line_of_sight(p, q, ...) == has_line_of_sight(q, p, ...)
-/// exact   for all finite floats and doubles
-/// cost    as first_obstacle; ends at an obstacle in the way
 template <Floating T>
-[[nodiscard]] constexpr bool has_line_of_sight(const point<T, 2>& p, const point<T, 2>& q,
-                                               std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                               obstacle_ends ends = obstacle_ends::closed) noexcept {
+[[nodiscard]] IRG_API bool has_line_of_sight(const point<T, 2>& p, const point<T, 2>& q,
+                                             std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                             obstacle_ends ends) noexcept {
   if (p == q) return true;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     if (detail::hit_between(segment<T, 2>{p, q}, obstacles[i], ends, sight_reach::up_to)) return false;
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

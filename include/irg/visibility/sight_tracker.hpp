@@ -11,31 +11,23 @@
 #include <utility>
 #include <vector>
 
+#include <irg/spatial/walled_grid.hpp>
 #include <irg/visibility/field_of_view.hpp>
+#if IRG_BODIES
+#include <irg/visibility/detail/row_sweep.hpp>
 #include <irg/visibility/visible_part.hpp>
+#endif
 
 namespace irg {
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
 
-// Marks the cells of a quadrant that light touches, if only with a corner.
-struct light_marks {
-  cell_grid* touched;
-  cell viewer;
-  int sign_x, sign_y;
+// Marks the cells of a flat map that light from a cell touches.
+template <class Memory>
+IRG_API void mark_light(const walled_grid& map, const cell3& at, const view_options& o, Memory& memory,
+                        cell_grid& touched);
 
-  constexpr void light(std::int64_t y, std::int64_t first, std::int64_t last, const sweep_slope& low,
-                       const sweep_slope& high) const {
-    for (std::int64_t x = first; x <= last; ++x) {
-      const cell_slopes s = slopes_of(x, y);
-      if (compare(s.low, high) > 0) return;
-      if (compare(s.high, low) < 0) continue;
-      touched->set(cell{static_cast<int>(viewer.x + sign_x * x), static_cast<int>(viewer.y + sign_y * y)});
-    }
-  }
-};
-
-}  // namespace detail::inline IRG_ABI
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 /// What units on a map see. (A template, so that whoever does not use it does not compile it.)
 template <std::same_as<walled_grid> Map = walled_grid>
@@ -92,15 +84,7 @@ private:
     u.seen.clear();
     add_field_of_view(map_, u.at, u.seen, memory_, options_);
     u.touched.clear();
-    if (map_.extent().depth != 1 || !map_.extent().holds(u.at)) return;
-    const cell viewer{u.at.x, u.at.y};
-    for (int sign_y = -1; sign_y <= 1; sign_y += 2)
-      for (int sign_x = -1; sign_x <= 1; sign_x += 2) {
-        detail::light_marks marks{&u.touched, viewer, sign_x, sign_y};
-        detail::row_sweep<detail::light_marks>({&map_, viewer, sign_x, sign_y, options_.rules.corners, options_.radius},
-                                               memory_.now, memory_.next, marks)
-            .run();
-      }
+    detail::mark_light(map_, u.at, options_, memory_, u.touched);
   }
   // In space every unit whose radius reaches the cell looks again.
   [[nodiscard]] IRG_INLINE constexpr bool matters(const state& u, const cell3& c) const noexcept {
@@ -126,3 +110,43 @@ private:
 };
 
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
+// Marks the cells of a quadrant that light touches, if only with a corner.
+struct light_marks {
+  cell_grid* touched;
+  cell viewer;
+  int sign_x, sign_y;
+
+  constexpr void light(std::int64_t y, std::int64_t first, std::int64_t last, const sweep_slope& low,
+                       const sweep_slope& high) const {
+    for (std::int64_t x = first; x <= last; ++x) {
+      const cell_slopes s = slopes_of(x, y);
+      if (compare(s.low, high) > 0) return;
+      if (compare(s.high, low) < 0) continue;
+      touched->set(cell{static_cast<int>(viewer.x + sign_x * x), static_cast<int>(viewer.y + sign_y * y)});
+    }
+  }
+};
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Memory>
+IRG_API void mark_light(const walled_grid& map, const cell3& at, const view_options& o, Memory& memory,
+                        cell_grid& touched) {
+  if (map.extent().depth != 1 || !map.extent().holds(at)) return;
+  const cell viewer{at.x, at.y};
+  for (int sign_y = -1; sign_y <= 1; sign_y += 2)
+    for (int sign_x = -1; sign_x <= 1; sign_x += 2) {
+      light_marks marks{&touched, viewer, sign_x, sign_y};
+      row_sweep<light_marks>({&map, viewer, sign_x, sign_y, o.rules.corners, o.radius}, memory.now, memory.next, marks)
+          .run();
+    }
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

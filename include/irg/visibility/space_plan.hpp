@@ -9,13 +9,15 @@
 #include <span>
 #include <vector>
 
-#include <irg/core/is_finite.hpp>
 #include <irg/core/scalar.hpp>
-#include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
+#include <irg/math/vec.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
+#include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/point_in_convex_polygon.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
-#include <irg/math/vec.hpp>
+#endif
 
 namespace irg {
 
@@ -81,7 +83,20 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
+
+/// The first thing that is wrong with a plan in space, cells first.
+/// exact   for all coordinates, infinities and NaN included
+/// cost    the faces times the corners of each cell, the corners of both cells for each portal, and the corners of
+///         their faces times its own
+template <Floating T>
+[[nodiscard]] IRG_API space_plan_finding validate(const space_plan<T>& plan);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // A ring in two of its coordinates, in which its first three corners are not on a line; empty where there are none.
 template <Floating T>
@@ -191,18 +206,14 @@ private:
   }
 };
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
-/// The first thing that is wrong with a plan in space, cells first.
-/// exact   for all coordinates, infinities and NaN included
-/// cost    the faces times the corners of each cell, the corners of both cells for each portal, and the corners of
-///         their faces times its own
 template <Floating T>
-[[nodiscard]] constexpr space_plan_finding validate(const space_plan<T>& plan) {
+[[nodiscard]] IRG_API space_plan_finding validate(const space_plan<T>& plan) {
   return detail::space_plan_check<T>(plan).run();
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -11,19 +11,22 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/function_ref.hpp>
+#include <irg/math/vec.hpp>
+#include <irg/visibility/potentially_visible.hpp>
+#include <irg/visibility/space_plan.hpp>
+#if IRG_BODIES
 #include <irg/core/contraction.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
-#include <irg/math/vec.hpp>
 #include <irg/spatial/cell_grid.hpp>
 #include <irg/visibility/detail/space_blockers.hpp>
-#include <irg/visibility/potentially_visible.hpp>
-#include <irg/visibility/space_plan.hpp>
 #include <irg/visibility/view_through_portals.hpp>
+#endif
 
 namespace irg {
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// For each cell the cells of which something may be seen from somewhere in it, itself among them.
 /// shape   as potentially_visible of plans in the plane; symmetric
@@ -40,8 +43,12 @@ inline namespace IRG_ABI {
 ///         most_parts of them for each cell
 /// source  Teller and Sequin 1991, with a search for their stabbing lines
 template <Floating T>
-[[nodiscard]] constexpr visible_sets potentially_visible(const space_plan<T>& plan,
-                                                         const visible_set_options& options = {});
+[[nodiscard]] IRG_API visible_sets potentially_visible(const space_plan<T>& plan,
+                                                       const visible_set_options& options = {});
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
 
 /// Calls sink(cell) for each cell that an eye may see and each way on which it may, its own cell first.
 /// needs   a plan without defects; the cell that holds the eye, which is finite
@@ -56,7 +63,28 @@ constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cel
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API void send_cells_seen(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
+                             const function_ref<void(std::uint32_t)>& sink);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+template <Floating T, class Sink>
+  requires std::invocable<Sink&, std::uint32_t>
+constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
+                                    Sink&& sink) {
+  detail::send_cells_seen(plan, cell, eye, as_function<void(std::uint32_t)>(sink));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // Ways through the doors of a plan in space, for potentially_visible and view_through_portals.
 
@@ -408,13 +436,28 @@ constexpr bool is_passed_as_before(const space_stabbing<T>& s) noexcept {
   return s.openings.size() < 2 || (are_moderate(s) && passes_all(s, s.lines.back()));
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr visible_sets potentially_visible(const space_plan<T>& plan,
-                                                         const visible_set_options& options) {
+IRG_API void send_cells_seen(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
+                             const function_ref<void(std::uint32_t)>& sink) {
+  if (cell >= plan.cells.size()) return;
+  const auto may_pass = [&](const auto& passed, const space_doorway<T>& d) {
+    if (orient3d(d.ring[0], d.ring[1], d.ring[2], eye) <= 0) return false;
+    for (const auto* before : passed)
+      if (!seen_through_both(eye, before->ring, d.ring)) return false;
+    return true;
+  };
+  walk_doors(doors_of(plan), cell, ~std::uint64_t{0}, may_pass, sink);
+}
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+[[nodiscard]] IRG_API visible_sets potentially_visible(const space_plan<T>& plan, const visible_set_options& options) {
   const auto cells = static_cast<int>(plan.cells.size());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0, 0};
   const detail::space_doors<T> doors = detail::doors_of(plan);
@@ -443,19 +486,5 @@ template <Floating T>
   return out;
 }
 
-template <Floating T, class Sink>
-  requires std::invocable<Sink&, std::uint32_t>
-constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
-                                    Sink&& sink) {
-  if (cell >= plan.cells.size()) return;
-  const auto may_pass = [&](const auto& passed, const detail::space_doorway<T>& d) {
-    if (orient3d(d.ring[0], d.ring[1], d.ring[2], eye) <= 0) return false;
-    for (const auto* before : passed)
-      if (!seen_through_both(eye, before->ring, d.ring)) return false;
-    return true;
-  };
-  detail::walk_doors(detail::doors_of(plan), cell, ~std::uint64_t{0}, may_pass, sink);
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -15,10 +15,15 @@
 #include <type_traits>
 #include <vector>
 
-#include <irg/geometry/compare.hpp>
+#include <irg/core/function_ref.hpp>
+#include <irg/core/ring.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/visibility/cell_plan.hpp>
+#if IRG_BODIES
+#include <irg/geometry/compare.hpp>
+#include <irg/geometry/polygon_convexity.hpp>
+#endif
 
 namespace irg {
 
@@ -67,48 +72,17 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail::inline IRG_ABI {
+namespace detail::inline IRG_COMPILED_ABI {
 
-// The cell of the eye, and those beyond portals that it stands in.
 template <Floating T>
-constexpr std::vector<std::uint32_t> cells_at(const portal_graph<T>& graph, std::uint32_t cell,
-                                              const point<T, 2>& eye) {
-  std::vector<std::uint32_t> out(1, cell);
-  for (std::size_t i = 0; i < out.size(); ++i)
-    for (const doorway<T>& d : graph.doors(out[i])) {
-      if (orient2d(d.right, d.left, eye) != 0 || !is_between_ends(d.right, d.left, eye)) continue;
-      bool known = false;
-      for (const std::uint32_t c : out) known = known || c == d.to;
-      if (!known) out.push_back(d.to);
-    }
-  return out;
-}
+IRG_API void send_views(const door_lists<T>& lists, std::uint32_t cell, const view_wedge<T>& view,
+                        const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink);
+template <Floating T>
+IRG_API void send_views_in_space(const cell_plan<T>& plan, const door_lists<T>& lists, std::uint32_t cell,
+                                 const view_wedge<T>& view, T eye_height,
+                                 const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink);
 
-// may_pass(passed, door) says whether a way goes on through a door that the view passes.
-template <Floating T, class MayPass, class Sink>
-constexpr void view_ways(const portal_graph<T>& graph, std::uint32_t cell, const view_wedge<T>& view,
-                         const MayPass& may_pass, Sink& sink) {
-  for (const std::uint32_t c : cells_at(graph, cell, view.eye)) {
-    std::vector<view_wedge<T>> views(1, view);
-    std::vector<const doorway<T>*> passed;
-    sink(c, view);
-    const auto enter = [&](const doorway<T>& d) {
-      const auto beyond = narrowed(views.back(), d);
-      if (!beyond || !may_pass(passed, d)) return false;
-      passed.push_back(&d);
-      views.push_back(*beyond);
-      sink(d.to, *beyond);
-      return true;
-    };
-    const auto leave = [&] {
-      passed.pop_back();
-      views.pop_back();
-    };
-    walk_ways(c, ~std::uint64_t{0}, [&](std::uint32_t at) { return graph.doors(at); }, enter, leave);
-  }
-}
-
-}  // namespace detail::inline IRG_ABI
+}  // namespace detail::inline IRG_COMPILED_ABI
 
 inline namespace IRG_ABI {
 
@@ -125,8 +99,8 @@ template <Floating T, class Sink>
   requires std::invocable<Sink&, std::uint32_t, const view_wedge<T>&>
 constexpr void view_through_portals(const portal_graph<T>& graph, std::uint32_t cell, const view_wedge<T>& view,
                                     Sink&& sink) {
-  if (cell >= graph.cell_count() || !is_convex(std::span(&view.eye, 1))) return;
-  detail::view_ways(graph, cell, view, [](const auto&, const auto&) { return true; }, sink);
+  detail::send_views<T>(detail::portal_lists::of(graph), cell, view,
+                        as_function<void(std::uint32_t, const view_wedge<T>&)>(sink));
 }
 
 /// Whether a ray from the eye can pass both of two convex polygons, with room on all sides; one that passes through
@@ -191,19 +165,81 @@ template <Floating T = double, class Sink>
   requires std::invocable<Sink&, std::uint32_t, const view_wedge<T>&>
 constexpr void view_through_openings(const plan_with_portals<std::type_identity_t<T>>& building, std::uint32_t cell,
                                      const view_wedge<T>& view, std::type_identity_t<T> eye_height, Sink&& sink) {
-  const portal_graph<T>& graph = building.graph;
-  const point<T, 3> eye{view.eye.x, view.eye.y, eye_height};
-  const point<T, 2> places[] = {view.eye, {eye_height, eye_height}};  // convex when all are finite
-  if (cell >= graph.cell_count() || !is_convex(places)) return;
-  const auto has_room = [&](const auto& passed, const doorway<T>& d) {
-    const auto ahead = opening_of(building.plan, d);
-    if (!(ahead[0].z < ahead[2].z)) return false;
-    for (const doorway<T>* const before : passed)
-      if (!seen_through_both(eye, opening_of(building.plan, *before), ahead)) return false;
-    return true;
-  };
-  detail::view_ways(graph, cell, view, has_room, sink);
+  detail::send_views_in_space<T>(building.plan, detail::portal_lists::of(building.graph), cell, view, eye_height,
+                                 as_function<void(std::uint32_t, const view_wedge<T>&)>(sink));
 }
 
 }  // namespace IRG_ABI
 }  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
+// The cell of the eye, and those beyond portals that it stands in.
+template <Floating T>
+constexpr std::vector<std::uint32_t> cells_at(const door_lists<T>& lists, std::uint32_t cell, const point<T, 2>& eye) {
+  std::vector<std::uint32_t> out(1, cell);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (const doorway<T>& d : doors_at(lists, out[i])) {
+      if (orient2d(d.right, d.left, eye) != 0 || !is_between_ends(d.right, d.left, eye)) continue;
+      bool known = false;
+      for (const std::uint32_t c : out) known = known || c == d.to;
+      if (!known) out.push_back(d.to);
+    }
+  return out;
+}
+
+// may_pass(passed, door) says whether a way goes on through a door that the view passes.
+template <Floating T, class MayPass, class Sink>
+constexpr void view_ways(const door_lists<T>& lists, std::uint32_t cell, const view_wedge<T>& view,
+                         const MayPass& may_pass, Sink& sink) {
+  for (const std::uint32_t c : cells_at(lists, cell, view.eye)) {
+    std::vector<view_wedge<T>> views(1, view);
+    std::vector<const doorway<T>*> passed;
+    sink(c, view);
+    const auto enter = [&](const doorway<T>& d) {
+      const auto beyond = narrowed(views.back(), d);
+      if (!beyond || !may_pass(passed, d)) return false;
+      passed.push_back(&d);
+      views.push_back(*beyond);
+      sink(d.to, *beyond);
+      return true;
+    };
+    const auto leave = [&] {
+      passed.pop_back();
+      views.pop_back();
+    };
+    walk_ways(c, ~std::uint64_t{0}, [&](std::uint32_t at) { return doors_at(lists, at); }, enter, leave);
+  }
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API void send_views(const door_lists<T>& lists, std::uint32_t cell, const view_wedge<T>& view,
+                        const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink) {
+  if (cell >= lists.first.size() - 1 || !is_convex(std::span(&view.eye, 1))) return;
+  view_ways(lists, cell, view, [](const auto&, const auto&) { return true; }, sink);
+}
+
+template <Floating T>
+IRG_API void send_views_in_space(const cell_plan<T>& plan, const door_lists<T>& lists, std::uint32_t cell,
+                                 const view_wedge<T>& view, T eye_height,
+                                 const function_ref<void(std::uint32_t, const view_wedge<T>&)>& sink) {
+  const point<T, 3> eye{view.eye.x, view.eye.y, eye_height};
+  const point<T, 2> places[] = {view.eye, {eye_height, eye_height}};  // convex when all are finite
+  if (cell >= lists.first.size() - 1 || !is_convex(places)) return;
+  const auto has_room = [&](const auto& passed, const doorway<T>& d) {
+    const auto ahead = opening_of(plan, d);
+    if (!(ahead[0].z < ahead[2].z)) return false;
+    for (const doorway<T>* const before : passed)
+      if (!seen_through_both(eye, opening_of(plan, *before), ahead)) return false;
+    return true;
+  };
+  view_ways(lists, cell, view, has_room, sink);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

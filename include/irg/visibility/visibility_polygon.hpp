@@ -6,6 +6,7 @@
 // Of segments that cross only the crossings that are seen are ever looked at, however many there are.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -14,16 +15,18 @@
 #include <utility>
 #include <vector>
 
-#include <irg/core/is_finite.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/compare.hpp>
-#include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/vocabulary.hpp>
-#include <irg/visibility/detail/sight_envelope.hpp>
 #include <irg/visibility/sight_result.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
+#include <irg/geometry/compare.hpp>
+#include <irg/geometry/crossing_point.hpp>
+#include <irg/visibility/detail/sight_envelope.hpp>
+#endif
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -52,12 +55,7 @@ template <Floating T, PlanePolygon Domain>
 template <Floating T>
 [[nodiscard]] constexpr visible_region<T> visibility_polygon(
     const point<T, 2>& source, const box<T, 2>& domain,
-    std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {}, const sight_options& options = {}) {
-  const point<T, 2>&low = domain.low, &high = domain.high;
-  if (domain.empty()) return {visibility_status::source_outside, {}};
-  const point<T, 2> ring[] = {low, {high.x, low.y}, high, {low.x, high.y}};
-  return visibility_polygon(source, ring, obstacles, options);
-}
+    std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {}, const sight_options& options = {});
 
 /// The same, and adds to the counts what it took. Where there is no polygon, all walls are passed over.
 template <Floating T, PlanePolygon Domain>
@@ -70,20 +68,97 @@ template <Floating T, PlanePolygon Domain>
 template <Floating T>
 [[nodiscard]] constexpr visible_region<T> visibility_polygon(
     const point<T, 2>& source, const box<T, 2>& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const sight_options& options, sight_counts& counts);
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+// The visibility polygon within the edges of a domain, ring by ring.
+template <Floating T>
+IRG_API visible_region<T> region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
+                                        std::span<const segment<T, 2>> obstacles, const sight_options& options);
+template <Floating T>
+IRG_API visible_region<T> counted_region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
+                                                std::span<const segment<T, 2>> obstacles, const sight_options& options,
+                                                sight_counts& counts);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::detail::inline IRG_ABI {
+
+template <Floating T, PlaneRing R>
+constexpr void append_edges(std::vector<segment<T, 2>>& edges, const R& ring) {
+  const auto vertex = [&](std::size_t i) {
+    const auto v = ring_vertex(ring, i);
+    return point<T, 2>{coordinate(v, 0), coordinate(v, 1)};
+  };
+  const std::size_t n = ring_size(ring);
+  for (std::size_t i = 0; i < n; ++i) edges.push_back({vertex(i), vertex(i + 1)});
+}
+
+template <Floating T, PlanePolygon Domain>
+constexpr std::vector<segment<T, 2>> edges_of_domain(const Domain& domain) {
+  std::vector<segment<T, 2>> edges;
+  if constexpr (PlaneRing<Domain>)
+    append_edges(edges, domain);
+  else
+    for (std::size_t i = 0; i < std::size(domain); ++i) append_edges(edges, domain[i]);
+  return edges;
+}
+
+// needs   a box that is not empty
+template <Floating T>
+constexpr std::array<segment<T, 2>, 4> edges_of_box(const box<T, 2>& domain) noexcept {
+  const point<T, 2>&low = domain.low, &high = domain.high, right{high.x, low.y}, left{low.x, high.y};
+  return {{{low, right}, {right, high}, {high, left}, {left, low}}};
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, PlanePolygon Domain>
+  requires std::same_as<scalar_of<polygon_point<Domain>>, T>
+[[nodiscard]] constexpr visible_region<T> visibility_polygon(
+    const point<T, 2>& source, const Domain& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const sight_options& options) {
+  return detail::region_within<T>(source, detail::edges_of_domain<T>(domain), obstacles, options);
+}
+
+template <Floating T>
+[[nodiscard]] constexpr visible_region<T> visibility_polygon(
+    const point<T, 2>& source, const box<T, 2>& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const sight_options& options) {
+  if (domain.empty()) return {visibility_status::source_outside, {}};
+  return detail::region_within<T>(source, detail::edges_of_box(domain), obstacles, options);
+}
+
+template <Floating T, PlanePolygon Domain>
+  requires std::same_as<scalar_of<polygon_point<Domain>>, T>
+[[nodiscard]] constexpr visible_region<T> visibility_polygon(
+    const point<T, 2>& source, const Domain& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
     const sight_options& options, sight_counts& counts) {
-  const point<T, 2>&low = domain.low, &high = domain.high;
+  return detail::counted_region_within<T>(source, detail::edges_of_domain<T>(domain), obstacles, options, counts);
+}
+
+template <Floating T>
+[[nodiscard]] constexpr visible_region<T> visibility_polygon(
+    const point<T, 2>& source, const box<T, 2>& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const sight_options& options, sight_counts& counts) {
   const auto walls = static_cast<std::int64_t>(obstacles.size());
   if (domain.empty()) {
     counts += {.walls = walls, .passed_over = walls};
     return {visibility_status::source_outside, {}};
   }
-  const point<T, 2> ring[] = {low, {high.x, low.y}, high, {low.x, high.y}};
-  return visibility_polygon(source, ring, obstacles, options, counts);
+  return detail::counted_region_within<T>(source, detail::edges_of_box(domain), obstacles, options, counts);
 }
 
-}  // namespace IRG_ABI
+}  // namespace irg::inline IRG_ABI
 
-namespace detail::inline IRG_ABI {
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // From obstacles and edges to the ring of a visibility polygon: what stops sight and where the source lies, then the
 // nearest in each direction, then the vertices.
@@ -104,15 +179,7 @@ public:
     if (s.a == s.b && s.a == envelope_.source && stops_at_ends) on_obstacle_ = true;
   }
 
-  template <PlaneRing R>
-  constexpr void add_ring(const R& ring) {
-    const auto vertex = [&](std::size_t i) {
-      const auto v = ring_vertex(ring, i);
-      return point<T, 2>{coordinate(v, 0), coordinate(v, 1)};
-    };
-    const std::size_t n = ring_size(ring);
-    for (std::size_t i = 0; i < n; ++i) add_boundary(vertex(i), vertex(i + 1));
-  }
+  constexpr void add_boundary(const segment<T, 2>& edge) { add_boundary(edge.a, edge.b); }
 
   constexpr visible_region<T> run() {
     if (!is_finite_) return {visibility_status::not_finite, {}};
@@ -331,41 +398,36 @@ private:
 };
 
 // Hands a sweep all that stops sight.
-template <class Sweep, Floating T, PlanePolygon Domain>
-constexpr void add_walls(Sweep& sweep, const Domain& domain, std::span<const segment<T, 2>> obstacles) {
+template <class Sweep, Floating T>
+constexpr void add_walls(Sweep& sweep, std::span<const segment<T, 2>> boundary,
+                         std::span<const segment<T, 2>> obstacles) {
   sweep.expect_obstacles(obstacles.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i) sweep.add_obstacle(obstacles[i], i);
-  if constexpr (PlaneRing<Domain>)
-    sweep.add_ring(domain);
-  else
-    for (std::size_t i = 0; i < std::size(domain); ++i) sweep.add_ring(domain[i]);
+  for (const segment<T, 2>& edge : boundary) sweep.add_boundary(edge);
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-template <Floating T, PlanePolygon Domain>
-  requires std::same_as<scalar_of<polygon_point<Domain>>, T>
-[[nodiscard]] constexpr visible_region<T> visibility_polygon(
-    const point<T, 2>& source, const Domain& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const sight_options& options) {
-  detail::visible_ring_builder<T> sweep(source, options);
-  detail::add_walls(sweep, domain, obstacles);
+template <Floating T>
+IRG_API visible_region<T> region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
+                                        std::span<const segment<T, 2>> obstacles, const sight_options& options) {
+  visible_ring_builder<T> sweep(source, options);
+  add_walls(sweep, boundary, obstacles);
   return sweep.run();
 }
 
-template <Floating T, PlanePolygon Domain>
-  requires std::same_as<scalar_of<polygon_point<Domain>>, T>
-[[nodiscard]] constexpr visible_region<T> visibility_polygon(
-    const point<T, 2>& source, const Domain& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const sight_options& options, sight_counts& counts) {
-  detail::visible_ring_builder<T, detail::sight_tally> sweep(source, options);
-  detail::add_walls(sweep, domain, obstacles);
+template <Floating T>
+IRG_API visible_region<T> counted_region_within(const point<T, 2>& source, std::span<const segment<T, 2>> boundary,
+                                                std::span<const segment<T, 2>> obstacles, const sight_options& options,
+                                                sight_counts& counts) {
+  visible_ring_builder<T, sight_tally> sweep(source, options);
+  add_walls(sweep, boundary, obstacles);
   visible_region<T> seen = sweep.run();
   counts += sweep.counts(obstacles.size());
   return seen;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -6,8 +6,12 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/spatial/walled_grid.hpp>
+#if IRG_BODIES
+#include <irg/core/scalar.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/visibility/field_of_view.hpp>
+#endif
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -32,7 +36,55 @@ template <CellGrid G>
 
 }  // namespace IRG_ABI
 
+namespace detail::inline IRG_COMPILED_ABI {
+
+// needs   a viewer in a flat map
+template <class Grid>
+IRG_API std::vector<double> percentages_lit(const Grid& bits, cell viewer);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
 namespace detail::inline IRG_ABI {
+
+template <class G, class Keep>
+constexpr cell_grid cells_by_percentage(const G& map, cell viewer, const Keep& keep) {
+  const std::vector<double> percent = visible_percentages(map, viewer);
+  cell_grid out(extent_of(map));
+  const int width = extent_of(map).width;
+  for (std::size_t i = 0; i < percent.size(); ++i)
+    if (keep(percent[i]))
+      out.set(cell{static_cast<int>(i % static_cast<std::size_t>(width)),
+                   static_cast<int>(i / static_cast<std::size_t>(width))});
+  return out;
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+template <CellGrid G>
+[[nodiscard]] constexpr std::vector<double> visible_percentages(const G& map, cell viewer) {
+  const grid_extent e = extent_of(map);
+  std::vector<double> out;
+  if (!e.holds(viewer) || e.depth != 1) return out;
+  return detail::percentages_lit(with_walls(map), viewer);
+}
+
+template <CellGrid G>
+[[nodiscard]] constexpr cell_grid field_of_view_permissive(const G& map, cell viewer) {
+  return detail::cells_by_percentage(map, viewer, [](double p) { return p > 0; });
+}
+
+template <CellGrid G>
+[[nodiscard]] constexpr cell_grid field_of_view_restrictive(const G& map, cell viewer) {
+  return detail::cells_by_percentage(map, viewer, [](double p) { return p == 100; });
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // Light on the cells of a quadrant, for visible_percentages.
 
@@ -78,37 +130,22 @@ struct light_sums {
   }
 };
 
-template <class G, class Keep>
-constexpr cell_grid cells_by_percentage(const G& map, cell viewer, const Keep& keep) {
-  const std::vector<double> percent = visible_percentages(map, viewer);
-  cell_grid out(extent_of(map));
-  const int width = extent_of(map).width;
-  for (std::size_t i = 0; i < percent.size(); ++i)
-    if (keep(percent[i]))
-      out.set(cell{static_cast<int>(i % static_cast<std::size_t>(width)),
-                   static_cast<int>(i / static_cast<std::size_t>(width))});
-  return out;
-}
+}  // namespace irg::detail::inline IRG_ABI
 
-}  // namespace detail::inline IRG_ABI
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-inline namespace IRG_ABI {
-
-template <CellGrid G>
-[[nodiscard]] constexpr std::vector<double> visible_percentages(const G& map, cell viewer) {
-  const grid_extent e = extent_of(map);
+template <class Grid>
+IRG_API std::vector<double> percentages_lit(const Grid& bits, cell viewer) {
+  const grid_extent e = bits.extent();
   std::vector<double> out;
-  if (!e.holds(viewer) || e.depth != 1) return out;
-  const walled_grid bits = with_walls(map);
   const std::size_t size = static_cast<std::size_t>(e.width) * static_cast<std::size_t>(e.height);
-  std::vector<detail::light_sums::sum> sums(size, detail::light_sums::sum{});
+  std::vector<light_sums::sum> sums(size, light_sums::sum{});
   view_memory memory;
   for (int sign_y = -1; sign_y <= 1; sign_y += 2)
     for (int sign_x = -1; sign_x <= 1; sign_x += 2) {
-      detail::light_sums light{&sums, e.width, viewer, sign_x, sign_y};
-      detail::row_sweep<detail::light_sums>(
-          {&bits, viewer, sign_x, sign_y, corner_rule::pinch, (std::numeric_limits<int>::max)()}, memory.now,
-          memory.next, light)
+      light_sums light{&sums, e.width, viewer, sign_x, sign_y};
+      row_sweep<light_sums>({&bits, viewer, sign_x, sign_y, corner_rule::pinch, (std::numeric_limits<int>::max)()},
+                            memory.now, memory.next, light)
           .run();
     }
   out.assign(size, 0.0);
@@ -119,24 +156,14 @@ template <CellGrid G>
       const std::int64_t dx = x < viewer.x ? viewer.x - x : x - viewer.x,
                          dy = y < viewer.y ? viewer.y - y : y - viewer.y;
       const int parts = dx == 0 || dy == 0 ? 2 : 1;
-      const detail::cell_slopes s = detail::slopes_of(dx, dy);
+      const cell_slopes s = slopes_of(dx, dy);
       if ((dx == 0 && dy == 0) || sums[i].wholes == parts)
         out[i] = 100;
       else
-        out[i] = 100 * (sums[i].lit / (parts * detail::angle_between(s.low, s.high)));
+        out[i] = 100 * (sums[i].lit / (parts * angle_between(s.low, s.high)));
     }
   return out;
 }
 
-template <CellGrid G>
-[[nodiscard]] constexpr cell_grid field_of_view_permissive(const G& map, cell viewer) {
-  return detail::cells_by_percentage(map, viewer, [](double p) { return p > 0; });
-}
-
-template <CellGrid G>
-[[nodiscard]] constexpr cell_grid field_of_view_restrictive(const G& map, cell viewer) {
-  return detail::cells_by_percentage(map, viewer, [](double p) { return p == 100; });
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

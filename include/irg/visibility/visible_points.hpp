@@ -8,9 +8,14 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
+#include <irg/core/scalar.hpp>
+#include <irg/math/vec.hpp>
+#if IRG_BODIES
 #include <irg/visibility/detail/direction_order.hpp>
+#endif
 
 namespace irg {
 
@@ -43,6 +48,10 @@ template <Scalar T>
   return seen;
 }
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 /// Whether each of many points in the plane is seen from a viewer: it is when no other one stands before it on its ray.
 /// gives   equal points are seen together; a point where the viewer stands is seen and hides nothing; one with a
 ///         coordinate that is NaN or infinite is not seen and hides nothing; none is seen from a viewer that is not
@@ -51,8 +60,18 @@ template <Scalar T>
 /// cost    n log n; allocates the order of the directions
 /// source  irg's own: the plane as a bundle of lines
 template <Floating T>
-[[nodiscard]] constexpr std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points,
-                                                                 const point<T, 2>& viewer) {
+[[nodiscard]] IRG_API std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points,
+                                                               const point<T, 2>& viewer);
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+[[nodiscard]] IRG_API std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points,
+                                                               const point<T, 2>& viewer) {
   constexpr T most = (std::numeric_limits<T>::max)();
   const auto is_place = [](const point<T, 2>& p) { return -most <= p.x && p.x <= most && -most <= p.y && p.y <= most; };
   std::vector<std::uint8_t> seen(points.size(), std::uint8_t{0});
@@ -82,5 +101,5 @@ template <Floating T>
   return seen;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -14,22 +14,24 @@
 #include <utility>
 #include <vector>
 
-#include <irg/core/is_finite.hpp>
 #include <irg/core/vocabulary.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/geometry/vocabulary.hpp>
+#include <irg/visibility/sight_result.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
 #include <irg/geometry/convex_hull.hpp>
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
-#include <irg/geometry/vocabulary.hpp>
 #include <irg/visibility/detail/sight_arrangement.hpp>
 #include <irg/visibility/detail/source_view.hpp>
-#include <irg/visibility/sight_result.hpp>
+#endif
 
 namespace irg {
-inline namespace IRG_ABI {
+inline namespace IRG_COMPILED_ABI {
 
 /// The parts of the window from where all of the source is seen, some of it, and nothing.
 /// shape   `source` is a point, the two ends of a segment, or a ring, of any direction, whose inside is part of it.
@@ -43,26 +45,17 @@ inline namespace IRG_ABI {
 ///         m^2 places, each of which costs n log n. Made for plans of some dozens of walls
 /// source  irg's own, by the critical lines of Suri and O'Rourke 1986
 template <Floating T>
-[[nodiscard]] constexpr source_regions<T> weak_visibility(
-    std::span<const point<T, 2>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const box<T, 2>& window);
-
-/// The same for the segment from source.a to source.b.
-template <Floating T>
-[[nodiscard]] constexpr source_regions<T> weak_visibility(
-    const segment<T, 2>& source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const box<T, 2>& window) {
-  const point<T, 2> ends[] = {source.a, source.b};
-  return weak_visibility(std::span<const point<T, 2>>(ends), obstacles, window);
-}
+[[nodiscard]] IRG_API source_regions<T> weak_visibility(std::span<const point<T, 2>> source,
+                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                                        const box<T, 2>& window);
 
 /// The same for an area with holes, or several of them as one source: what is inside of an odd number of rings; or for
 /// several segments, lists of two points each, which may touch and cross.
 /// needs   rings that meet neither each other nor themselves, else the status says so
 template <Floating T>
-[[nodiscard]] constexpr source_regions<T> weak_visibility(
-    std::span<const std::vector<point<T, 2>>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const box<T, 2>& window);
+[[nodiscard]] IRG_API source_regions<T> weak_visibility(std::span<const std::vector<point<T, 2>>> source,
+                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                                        const box<T, 2>& window);
 
 /// What a point, a segment or an area sees of the inside of a ring, and it of them: each place in one each place in the
 /// other, some of them, or nothing.
@@ -71,13 +64,28 @@ template <Floating T>
 /// exact   for all finite floats and doubles
 /// cost    as weak_visibility
 template <Floating T>
-[[nodiscard]] constexpr checked<seen_share, visibility_status> sight_between(
+[[nodiscard]] IRG_API checked<seen_share, visibility_status> sight_between(
     std::span<const point<T, 2>> source, std::span<const std::type_identity_t<point<T, 2>>> region,
     std::span<const std::type_identity_t<segment<T, 2>>> obstacles);
 
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 
-namespace detail::inline IRG_ABI {
+inline namespace IRG_ABI {
+
+/// weak_visibility for the segment from source.a to source.b.
+template <Floating T>
+[[nodiscard]] constexpr source_regions<T> weak_visibility(
+    const segment<T, 2>& source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const box<T, 2>& window) {
+  const point<T, 2> ends[] = {source.a, source.b};
+  return weak_visibility(std::span<const point<T, 2>>(ends), obstacles, window);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // Rings as the outline of a region: that they meet neither each other nor themselves, and which way each has to run so
 // that the region lies to its left.
@@ -330,26 +338,26 @@ constexpr source_regions<T> regions_of_source(const box<T, 2>& window, std::span
   return out;
 }
 
-}  // namespace detail::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_COMPILED_ABI {
 
 template <Floating T>
-[[nodiscard]] constexpr source_regions<T> weak_visibility(
-    std::span<const point<T, 2>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const box<T, 2>& window) {
+[[nodiscard]] IRG_API source_regions<T> weak_visibility(std::span<const point<T, 2>> source,
+                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                                        const box<T, 2>& window) {
   return detail::regions_of_source(window, source, obstacles, detail::line_choice::needed);
 }
 
 template <Floating T>
-[[nodiscard]] constexpr source_regions<T> weak_visibility(
-    std::span<const std::vector<point<T, 2>>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const box<T, 2>& window) {
+[[nodiscard]] IRG_API source_regions<T> weak_visibility(std::span<const std::vector<point<T, 2>>> source,
+                                                        std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                                        const box<T, 2>& window) {
   return detail::regions_of_source(window, source, obstacles, detail::line_choice::needed);
 }
 
 template <Floating T>
-[[nodiscard]] constexpr checked<seen_share, visibility_status> sight_between(
+[[nodiscard]] IRG_API checked<seen_share, visibility_status> sight_between(
     std::span<const point<T, 2>> source, std::span<const std::type_identity_t<point<T, 2>>> region,
     std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   detail::weak_visibility_state<T> s;
@@ -364,5 +372,5 @@ template <Floating T>
   return {none ? seen_share::none : all ? seen_share::all : seen_share::some, status};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_COMPILED_ABI
+#endif

@@ -5,42 +5,32 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/detail/crossing_kernel.hpp>
+#include <irg/math/int128.hpp>
+#if IRG_BODIES
 #include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact_sum.hpp>
+#endif
 
-namespace irg::detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
 // By integers, for every finite input.
 template <Floating T>
-IRG_NOINLINE constexpr T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept {
-  if (ay == by) return ay + T(0);
-  const auto wide = [](T v) { return widened(v); };
-  const double x1 = wide(ax), y1 = wide(ay), x2 = wide(bx), y2 = wide(by), at = wide(x);
-  exact_accumulator<2> above, below;  // y = (y1*(x2 - x) + y2*(x - x1))/(x2 - x1)
-  above.add(y1, x2), above.subtract(y1, at), above.add(y2, at), above.subtract(y2, x1);
-  below.add(x2), below.subtract(x1);
-  if (above.sign() == 0) return T(0);
-  const int up = above.exponent(), down = below.exponent();
-  double guess = above.rounded(-up) / below.rounded(-down);
-  for (int k = minimum(up - down, 1000); k != 0;) {
-    const int part = maximum(k, -1000);
-    guess *= power_of_two(part), k -= part;
-  }
-  const auto side = [&](T p, T q) {
-    exact_accumulator<2> sum = above;
-    sum.add(y1, x2), sum.subtract(y1, at), sum.add(y2, at), sum.subtract(y2, x1);
-    sum.subtract(wide(p), x2), sum.add(wide(p), x1);
-    sum.subtract(wide(q), x2), sum.add(wide(q), x1);
-    return below.sign() * sum.sign();
-  };
-  return nearest_by_sign(minimum(ay, by), maximum(ay, by), converted<T>(guess), side);
-}
+IRG_API T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept;
+// Where axis_crossing_from does not tell.
+template <Floating T>
+  requires std::same_as<T, double>
+IRG_API T axis_crossing_in_doubt(T ax, T ay, T bx, T by, T x) noexcept;
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::detail::inline IRG_ABI {
 
 IRG_INLINE constexpr float axis_crossing_of(float ax, float ay, float bx, float by, float x) noexcept {
   const auto wide = [](float v) { return widened(v); };
@@ -64,21 +54,6 @@ IRG_INLINE constexpr bool axis_crossing_from(double ax, double ay, double bx, do
   const double low = found.guess + (found.correction - bound), high = found.guess + (found.correction + bound);
   y = low + 0.0;
   return low == high && (magnitude(found.first_product) > 0x1p-600 || ay == by);
-}
-
-// Where the first end is far away, its coordinate and the way from it nearly cancel: the other end may do. Numbers near
-// the end of the range are made smaller, if none of them loses a bit.
-IRG_NOINLINE constexpr double axis_crossing_in_doubt(double ax, double ay, double bx, double by, double x) noexcept {
-  double y = 0;
-  if (axis_crossing_from(bx, by, ax, ay, x, y)) return y;
-  const auto fits = [](double v) { return v == 0 || magnitude(v) > 0x1p-100; };
-  if (fits(ax) && fits(ay) && fits(bx) && fits(by) && fits(x)) {
-    constexpr double s = 0x1p-900;
-    if (axis_crossing_from(ax * s, ay * s, bx * s, by * s, x * s, y) ||
-        axis_crossing_from(bx * s, by * s, ax * s, ay * s, x * s, y))
-      return y * 0x1p900;
-  }
-  return axis_crossing_exact(ax, ay, bx, by, x);
 }
 
 IRG_INLINE constexpr double axis_crossing_of(double ax, double ay, double bx, double by, double x) noexcept {
@@ -131,3 +106,51 @@ constexpr cut_parameter<T> parameter_of(const T& a, const T& b, const T& x) noex
 }
 
 }  // namespace irg::detail::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_NOINLINE IRG_API T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept {
+  if (ay == by) return ay + T(0);
+  const auto wide = [](T v) { return widened(v); };
+  const double x1 = wide(ax), y1 = wide(ay), x2 = wide(bx), y2 = wide(by), at = wide(x);
+  exact_accumulator<2> above, below;  // y = (y1*(x2 - x) + y2*(x - x1))/(x2 - x1)
+  above.add(y1, x2), above.subtract(y1, at), above.add(y2, at), above.subtract(y2, x1);
+  below.add(x2), below.subtract(x1);
+  if (above.sign() == 0) return T(0);
+  const int up = above.exponent(), down = below.exponent();
+  double guess = above.rounded(-up) / below.rounded(-down);
+  for (int k = minimum(up - down, 1000); k != 0;) {
+    const int part = maximum(k, -1000);
+    guess *= power_of_two(part), k -= part;
+  }
+  const auto side = [&](T p, T q) {
+    exact_accumulator<2> sum = above;
+    sum.add(y1, x2), sum.subtract(y1, at), sum.add(y2, at), sum.subtract(y2, x1);
+    sum.subtract(wide(p), x2), sum.add(wide(p), x1);
+    sum.subtract(wide(q), x2), sum.add(wide(q), x1);
+    return below.sign() * sum.sign();
+  };
+  return nearest_by_sign(minimum(ay, by), maximum(ay, by), converted<T>(guess), side);
+}
+
+// Where the first end is far away, its coordinate and the way from it nearly cancel: the other end may do. Numbers near
+// the end of the range are made smaller, if none of them loses a bit.
+template <Floating T>
+  requires std::same_as<T, double>
+IRG_NOINLINE IRG_API T axis_crossing_in_doubt(T ax, T ay, T bx, T by, T x) noexcept {
+  double y = 0;
+  if (axis_crossing_from(bx, by, ax, ay, x, y)) return y;
+  const auto fits = [](double v) { return v == 0 || magnitude(v) > 0x1p-100; };
+  if (fits(ax) && fits(ay) && fits(bx) && fits(by) && fits(x)) {
+    constexpr double s = 0x1p-900;
+    if (axis_crossing_from(ax * s, ay * s, bx * s, by * s, x * s, y) ||
+        axis_crossing_from(bx * s, by * s, ax * s, ay * s, x * s, y))
+      return y * 0x1p900;
+  }
+  return axis_crossing_exact(ax, ay, bx, by, x);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -39,6 +39,31 @@ struct clipped_corner {
   int side = 0;
 };
 
+inline namespace IRG_COMPILED_ABI {
+
+// On which side of a boundary another one meets the line through two points, and two others the plane through three.
+template <Floating T, int D>
+IRG_API int side_of_line_meeting(const half_space<T, D>& boundary, const half_space<T, D>& h, const point<T, D>& from,
+                                 const point<T, D>& to) noexcept;
+template <Floating T>
+IRG_API int side_of_plane_meeting(const half_space<T, 3>& boundary, const half_space<T, 3>& g,
+                                  const half_space<T, 3>& h, const point<T, 3>& p, const point<T, 3>& q,
+                                  const point<T, 3>& r) noexcept;
+// Where these meet, rounded.
+template <Floating T, int D>
+IRG_API std::optional<point<T, D>> rounded_line_meeting(const half_space<T, D>& h, const point<T, D>& from,
+                                                        const point<T, D>& to) noexcept;
+template <Floating T>
+IRG_API std::optional<point<T, 3>> rounded_planes_meeting(const half_space<T, 3>& g, const half_space<T, 3>& h,
+                                                          const point<T, 3>& p, const point<T, 3>& q,
+                                                          const point<T, 3>& r) noexcept;
+// The sign of the sum of a boundary's values at two points.
+template <Floating T, int D>
+IRG_API int sign_of_sum_of_values(const half_space<T, D>& boundary, const point<T, D>& p,
+                                  const point<T, D>& q) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+
 inline namespace IRG_ABI {
 
 // Where boundaries of regions meet lines and planes through given points: about, with a bound of the error; on which
@@ -117,32 +142,32 @@ constexpr int side_about(const Corner& c, const half_space<T, D>& boundary) noex
   const double bound = product(size, 0x1p-50) + product(reach, 1.5 * c.error);
   return value > bound ? 1 : -value > bound ? -1 : 0;
 }
+// As irg::compiled takes it.
+template <class T, int D>
+IRG_INLINE constexpr const half_space<T, D>& at_library(const half_space<T, D>& h) noexcept {
+  return h;  // NOLINT(bugprone-return-const-ref-from-parameter)
+}
+template <Point P>
+IRG_INLINE constexpr auto at_library(const P& p) noexcept {
+  return as_point<scalar_of<P>>(p);
+}
+
 // The same exactly: the sign of the boundary's value where these meet.
-template <int Degree, class H, class Meeting, class... In>
-constexpr int exact_side(const Meeting& meeting, const H& boundary, const In&... in) noexcept {
-  const auto [turn, side] = sign_of<Degree>(
-      [&](const auto& h, const auto&... x) {
-        const auto [divisor, way] = meeting(x...);
-        return std::array{divisor, divisor * half_space_value(h, meeting.first(x...)) + half_space_growth(h, way)};
-      },
-      boundary, in...);
-  return turn * side;
+template <class Meeting, Floating T, int D, class... In>
+constexpr int exact_side(const Meeting&, const half_space<T, D>& boundary, const In&... in) noexcept {
+  if constexpr (std::is_same_v<Meeting, line_meeting>)
+    return side_of_line_meeting(boundary, at_library(in)...);
+  else
+    return side_of_plane_meeting(boundary, at_library(in)...);
 }
 // The same place, rounded.
-template <int Degree, Point P, class Meeting, class... In>
-constexpr std::optional<P> rounded_place(const Meeting& meeting, const In&... in) noexcept {
-  const auto found = quotients_of<Degree>(
-      [&](const auto&... x) {
-        const auto [divisor, way] = meeting(x...);
-        const auto at = way + to_vec(meeting.first(x...)) * divisor;
-        if constexpr (size_of<P> == 2)
-          return std::array{divisor, at.x, at.y};
-        else
-          return std::array{divisor, at.x, at.y, at.z};
-      },
-      in...);
-  if (!found) return std::nullopt;
-  return generate_coordinates<P>([&](int i) { return (*found)[static_cast<std::size_t>(i)]; });
+template <Point P, class Meeting, class... In>
+constexpr std::optional<P> rounded_place(const Meeting&, const In&... in) noexcept {
+  const auto own = [](const auto& at) { return at ? std::optional(own_point<P>(*at)) : std::nullopt; };
+  if constexpr (std::is_same_v<Meeting, line_meeting>)
+    return own(rounded_line_meeting(at_library(in)...));
+  else
+    return own(rounded_planes_meeting(at_library(in)...));
 }
 
 // Whether points of the half-space round to p. The corner of those that do is midway to the neighbour further inside.
@@ -156,9 +181,7 @@ constexpr bool reaches(const half_space<T, D>& boundary, const P& p) noexcept {
     const T x = coordinate(p, i), next = float_at<T>(ordinal_of(x) + static_cast<float_ordinal<T>>(inwards));
     return is_finite(next) ? next : x;
   });
-  return sign_of<2>([](const auto& half, const auto& at,
-                       const auto& next) { return half_space_value(half, at) + half_space_value(half, next); },
-                    boundary, p, neighbour) >= 0;
+  return sign_of_sum_of_values(boundary, as_point<T>(p), as_point<T>(neighbour)) >= 0;
 }
 
 // boundary(k) is the region's half_space<T, D> with number k.
@@ -187,9 +210,7 @@ public:
       if (c.boundary != corner::none) {
         if (c.line == along(k)) return 0;
         if (const int s = side_about(c, h); s != 0) return s;
-        return as_meeting(c, [&](auto degree, const auto& meeting, const auto&... in) {
-          return exact_side<decltype(degree)::value + 1>(meeting, h, in...);
-        });
+        return as_meeting(c, [&](const auto& meeting, const auto&... in) { return exact_side(meeting, h, in...); });
       }
     return half_space_side(h, position_of(c.vertex));
   }
@@ -200,7 +221,7 @@ public:
     if constexpr (Floating<T>) {
       if (D == 3 && is_stretch(c) && flat_[0] == flat_[1]) find_plane();
       if (Point<V> || is_stretch(c))
-        as_meeting(c, [&](auto, const auto& meeting, const auto&... in) { place_about(c, meeting, in...); });
+        as_meeting(c, [&](const auto& meeting, const auto&... in) { place_about(c, meeting, in...); });
       if constexpr (D == 3)
         if (is_stretch(c) && polygon_.size() > 3 && !fits(c, from, to)) stand_upright(c, from, to);
     }
@@ -238,17 +259,16 @@ private:
       return half_space_side(boundary_(k), p) >= 0;
   }
 
-  // use(degree, meeting, what meets...): what the corner is, and the degree of its coordinates.
+  // use(meeting, what meets...): what the corner is.
   template <class Use>
   constexpr auto as_meeting(const corner& c, const Use& use) const noexcept {
     if constexpr (D == 3)
       if (is_stretch(c)) {
         const auto at = [&](std::size_t i) -> const P& { return position_of(polygon_[flat_[i]]); };
-        return use(std::integral_constant<int, 5>{}, plane_meeting{}, boundary_(c.line - polygon_.size()),
-                   boundary_(c.boundary), at(0), at(1), at(2));
+        return use(plane_meeting{}, boundary_(c.line - polygon_.size()), boundary_(c.boundary), at(0), at(1), at(2));
       }
     const auto [a, b] = ends_of(c.line);
-    return use(std::integral_constant<int, 3>{}, line_meeting{}, boundary_(c.boundary), a, b);
+    return use(line_meeting{}, boundary_(c.boundary), a, b);
   }
   // A vertex that carries more than its place, or that is as exact as its numbers, is made at once.
   constexpr void interpolate(corner& c, const corner& from, const corner& to) const {
@@ -314,9 +334,7 @@ private:
     }
   }
   constexpr std::optional<P> rounded(const corner& c) const noexcept {
-    return as_meeting(c, [](auto degree, const auto& meeting, const auto&... in) {
-      return rounded_place<decltype(degree)::value, P>(meeting, in...);
-    });
+    return as_meeting(c, [](const auto& meeting, const auto&... in) { return rounded_place<P>(meeting, in...); });
   }
 
   // The polygon's plane: that through three vertices, a third of the way round apart or next to each other.
@@ -351,7 +369,7 @@ private:
       const T x = coordinate(p, i);
       return static_cast<std::size_t>(i) != up ? x : x == T(0) ? T(1) : T(0);
     });
-    const auto found = rounded_place<5, P>(plane_meeting{}, first, second, p, q, over);
+    const auto found = rounded_place<P>(plane_meeting{}, first, second, p, q, over);
     P at = found ? *found : p;
     for (std::size_t i = 0; i <= k; ++i)
       if (!touches(i, at)) at = from.side < 0 ? q : p;
@@ -377,3 +395,71 @@ private:
 
 }  // namespace IRG_ABI
 }  // namespace irg::detail
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
+
+// The same exactly: the sign of the boundary's value where these meet.
+template <int Degree, class H, class Meeting, class... In>
+constexpr int find_exact_side(const Meeting& meeting, const H& boundary, const In&... in) noexcept {
+  const auto [turn, side] = sign_of<Degree>(
+      [&](const auto& h, const auto&... x) {
+        const auto [divisor, way] = meeting(x...);
+        return std::array{divisor, divisor * half_space_value(h, meeting.first(x...)) + half_space_growth(h, way)};
+      },
+      boundary, in...);
+  return turn * side;
+}
+// The same place, rounded.
+template <int Degree, Point P, class Meeting, class... In>
+constexpr std::optional<P> find_rounded_place(const Meeting& meeting, const In&... in) noexcept {
+  const auto found = quotients_of<Degree>(
+      [&](const auto&... x) {
+        const auto [divisor, way] = meeting(x...);
+        const auto at = way + to_vec(meeting.first(x...)) * divisor;
+        if constexpr (size_of<P> == 2)
+          return std::array{divisor, at.x, at.y};
+        else
+          return std::array{divisor, at.x, at.y, at.z};
+      },
+      in...);
+  if (!found) return std::nullopt;
+  return generate_coordinates<P>([&](int i) { return (*found)[static_cast<std::size_t>(i)]; });
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int D>
+IRG_API int side_of_line_meeting(const half_space<T, D>& boundary, const half_space<T, D>& h, const point<T, D>& from,
+                                 const point<T, D>& to) noexcept {
+  return find_exact_side<4>(line_meeting{}, boundary, h, from, to);
+}
+template <Floating T>
+IRG_API int side_of_plane_meeting(const half_space<T, 3>& boundary, const half_space<T, 3>& g,
+                                  const half_space<T, 3>& h, const point<T, 3>& p, const point<T, 3>& q,
+                                  const point<T, 3>& r) noexcept {
+  return find_exact_side<6>(plane_meeting{}, boundary, g, h, p, q, r);
+}
+template <Floating T, int D>
+IRG_API std::optional<point<T, D>> rounded_line_meeting(const half_space<T, D>& h, const point<T, D>& from,
+                                                        const point<T, D>& to) noexcept {
+  return find_rounded_place<3, point<T, D>>(line_meeting{}, h, from, to);
+}
+template <Floating T>
+IRG_API std::optional<point<T, 3>> rounded_planes_meeting(const half_space<T, 3>& g, const half_space<T, 3>& h,
+                                                          const point<T, 3>& p, const point<T, 3>& q,
+                                                          const point<T, 3>& r) noexcept {
+  return find_rounded_place<5, point<T, 3>>(plane_meeting{}, g, h, p, q, r);
+}
+template <Floating T, int D>
+IRG_API int sign_of_sum_of_values(const half_space<T, D>& boundary, const point<T, D>& p,
+                                  const point<T, D>& q) noexcept {
+  return sign_of<2>([](const auto& half, const auto& at,
+                       const auto& next) { return half_space_value(half, at) + half_space_value(half, next); },
+                    boundary, p, q);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

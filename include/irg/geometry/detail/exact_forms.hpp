@@ -6,16 +6,11 @@
 #include <cstddef>
 
 #include <irg/core/coordinates.hpp>
+#include <irg/geometry/detail/compiled_numbers.hpp>
 #include <irg/math/exact/values_of.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg::detail::inline IRG_ABI {
-
-/// A point of the same coordinates that has irg's operators.
-template <class T, Point P>
-IRG_INLINE constexpr point<T, size_of<P>> as_point(const P& p) noexcept {
-  return generate_coordinates<point<T, size_of<P>>>([&](int i) { return coordinate(p, i); });
-}
 
 /// v . v, or x * x.
 template <class N>

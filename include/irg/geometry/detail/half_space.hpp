@@ -8,18 +8,43 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/core/ring.hpp>
+#include <irg/geometry/detail/compiled_numbers.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/math/exact/quotients_of.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
-namespace irg::detail::inline IRG_ABI {
+namespace irg::detail {
 
 // Two points of a line with the inside on its left, or the coefficients of a plane with the inside above it.
 template <class T, int D>
 struct half_space {
   std::array<T, 4> numbers{};
 };
+
+// Where the line from a to b meets the boundary, and its parameter: correctly rounded, and so between a and b where
+// these lie on both sides, and at one place for b to a.
+// needs   a line that is not parallel to the boundary
+template <class T, Point P>
+struct half_space_meeting {
+  P at;
+  T t;
+};
+
+inline namespace IRG_COMPILED_ABI {
+
+template <Floating T, int D>
+IRG_API half_space_meeting<T, point<T, D>> meeting_with_half_space(const point<T, D>& a, const point<T, D>& b,
+                                                                   const half_space<T, D>& h) noexcept;
+// The sign of t_first - t_second, but for the sign of their denominators.
+template <Floating T, int D>
+IRG_API int order_of_crossings(const point<T, D>& a, const point<T, D>& b, const half_space<T, D>& first,
+                               const half_space<T, D>& second) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+}  // namespace irg::detail
+
+namespace irg::detail::inline IRG_ABI {
 
 using irg::in_numbers;  // of numbers and points, beside which stands that of half-spaces
 
@@ -65,29 +90,30 @@ constexpr int half_space_side(const half_space<T, D>& h, const P& p) noexcept {
   }
 }
 
+template <class T, int D, Point P>
+constexpr int find_order_of_crossings(const P& a, const P& b, const half_space<T, D>& first,
+                                      const half_space<T, D>& second) noexcept {
+  return sign_of<4>(
+      [](const auto& g, const auto& h, const auto& from, const auto& to) {
+        return half_space_value(h, from) * half_space_value(g, to) -
+               half_space_value(g, from) * half_space_value(h, to);
+      },
+      first, second, a, b);
+}
+
 // The sign of t_first - t_second, where the line from a to b crosses the boundaries. It crosses both: on each one side
 // is the sign of the value at a, and not that at b.
 template <class T, int D, Point P>
 constexpr int compare_half_space_crossings(const P& a, const P& b, const half_space<T, D>& first,
                                            const half_space<T, D>& second, int sides) noexcept {
-  return sides * sign_of<4>(
-                     [](const auto& g, const auto& h, const auto& from, const auto& to) {
-                       return half_space_value(h, from) * half_space_value(g, to) -
-                              half_space_value(g, from) * half_space_value(h, to);
-                     },
-                     first, second, a, b);
+  if constexpr (Floating<T>)
+    return sides * order_of_crossings(as_point<T>(a), as_point<T>(b), first, second);
+  else
+    return sides * find_order_of_crossings(a, b, first, second);
 }
 
-// Where the line from a to b meets the boundary, and its parameter: correctly rounded, and so between a and b where
-// these lie on both sides, and at one place for b to a.
-// needs   a line that is not parallel to the boundary
-template <class T, Point P>
-struct half_space_meeting {
-  P at;
-  T t;
-};
 template <class T, int D, Point P>
-constexpr half_space_meeting<T, P> meet_half_space(const P& a, const P& b, const half_space<T, D>& h) noexcept {
+constexpr half_space_meeting<T, P> find_half_space_meeting(const P& a, const P& b, const half_space<T, D>& h) noexcept {
   const auto found = quotients_of<3>(
       [](const auto& boundary, const auto& from, const auto& to) {
         const auto at_from = half_space_value(boundary, from), at_to = half_space_value(boundary, to);
@@ -100,6 +126,16 @@ constexpr half_space_meeting<T, P> meet_half_space(const P& a, const P& b, const
       h, a, b);
   IRG_EXPECTS(found.has_value());
   return {generate_coordinates<P>([&](int i) { return (*found)[1 + static_cast<std::size_t>(i)]; }), (*found)[0]};
+}
+
+template <class T, int D, Point P>
+constexpr half_space_meeting<T, P> meet_half_space(const P& a, const P& b, const half_space<T, D>& h) noexcept {
+  if constexpr (Floating<T>) {
+    const auto m = meeting_with_half_space(as_point<T>(a), as_point<T>(b), h);
+    return {own_point<P>(m.at), m.t};
+  } else {
+    return find_half_space_meeting(a, b, h);
+  }
 }
 
 // The boundaries of a convex polygon, counter-clockwise or clockwise, one by one; none when it has no area.
@@ -119,3 +155,20 @@ constexpr half_space<ring_scalar<R>, 2> half_space_at(const R& ring, std::size_t
 }
 
 }  // namespace irg::detail::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T, int D>
+IRG_API half_space_meeting<T, point<T, D>> meeting_with_half_space(const point<T, D>& a, const point<T, D>& b,
+                                                                   const half_space<T, D>& h) noexcept {
+  return find_half_space_meeting(a, b, h);
+}
+template <Floating T, int D>
+IRG_API int order_of_crossings(const point<T, D>& a, const point<T, D>& b, const half_space<T, D>& first,
+                               const half_space<T, D>& second) noexcept {
+  return find_order_of_crossings(a, b, first, second);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

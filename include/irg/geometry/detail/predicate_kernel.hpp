@@ -15,21 +15,18 @@
 #include <type_traits>
 #include <utility>
 
-#include <irg/core/contract.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/error_free.hpp>
-#include <irg/math/exact_sum.hpp>
 #include <irg/math/float_bits.hpp>
 #include <irg/math/wide_int.hpp>
+#if IRG_BODIES
+#include <irg/core/contract.hpp>
+#include <irg/math/exact_sum.hpp>
+#endif
 
 namespace irg::detail {
-
-// The sign of the determinant of points, of the sums of their squares (with two points more than dimensions) and ones,
-// whatever the exponents: rounded, with exponents that never end, and as an exact sum. Both take the determinant apart
-// into products of coordinates, no differences: no two of its products are made of the same numbers, so that where the
-// exponents lie far apart one product is far larger than the others, and rounded numbers tell.
 
 // The coordinates of M points of D dimensions, point by point.
 template <class T, int M, int D>
@@ -37,6 +34,110 @@ struct point_table {
   T v[static_cast<unsigned>(M * D)];
   IRG_INLINE constexpr const T& operator()(int i, int k) const noexcept { return v[i * D + k]; }
 };
+
+inline namespace IRG_COMPILED_ABI {
+
+// The sign of a predicate whose filter did not tell. Coordinates are passed in registers, so that nothing has to wait
+// for the memory.
+template <int M, int D, Floating... X>
+IRG_API int exact_predicate(X... x) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+
+inline namespace IRG_ABI {
+
+// Whether rounded stages must be left out: overflow, which they are proof against, is an error there.
+IRG_INLINE constexpr bool in_constant_evaluation() noexcept { return std::is_constant_evaluated(); }
+
+// The coordinates of points of one type as numbers N.
+template <class N, Point P, std::same_as<P>... Ps>
+IRG_INLINE constexpr auto table_of(const P& first, const Ps&... others) {
+  constexpr int count = 1 + static_cast<int>(sizeof...(Ps)), size = size_of<P>;
+  const P* const points[] = {&first, &others...};
+  return [&]<int... J>(std::integer_sequence<int, J...>) IRG_INLINE_LAMBDA {
+    return point_table<N, count, size>{{converted<N>(coordinate(*points[J / size], J % size))...}};
+  }(std::make_integer_sequence<int, count * size>{});
+}
+
+// The points but the last, seen from the last one.
+template <class T, int M, int D>
+IRG_INLINE constexpr point_table<T, M - 1, D> relative_to_last(const point_table<T, M, D>& t) {
+  return [&]<int... J>(std::integer_sequence<int, J...>) IRG_INLINE_LAMBDA {
+    return point_table<T, M - 1, D>{{(t.v[J] - t.v[(M - 1) * D + J % D])...}};
+  }(std::make_integer_sequence<int, (M - 1) * D>{});
+}
+
+template <class T>
+IRG_INLINE constexpr int coordinate_sign(const T& v) noexcept {
+  return v < T(0) ? -1 : T(0) < v ? 1 : 0;
+}
+template <int N>
+IRG_INLINE constexpr int coordinate_sign(const wide_int<N>& v) noexcept {
+  return v.sign();
+}
+// The sign of a number that is neither zero nor NaN.
+IRG_INLINE constexpr int sign_of_nonzero(double x) noexcept {
+  return 1 | static_cast<int>(static_cast<std::int64_t>(bits_of(x)) >> 63);
+}
+
+// The largest size of coordinate k.
+template <int M, int D>
+IRG_INLINE constexpr double reach(const point_table<double, M, D>& t, int k) noexcept {
+  double largest = magnitude(t(0, k));
+  for (int i = 1; i < M; ++i) largest = maximum(largest, magnitude(t(i, k)));
+  return largest;
+}
+
+// The sign, for exact numbers: T holds the differences of coordinates, their products what they are made of.
+template <class T, int M, int D>
+IRG_INLINE constexpr int table_sign(const point_table<T, M, D>& t) {
+  return coordinate_sign(difference_determinant(relative_to_last(t)));
+}
+
+template <Floating T, int M, int D>
+IRG_INLINE constexpr int exact_predicate_of(const point_table<T, M, D>& t) noexcept {
+  return [&]<int... J>(std::integer_sequence<int, J...>) {
+    return exact_predicate<M, D>(t.v[J]...);
+  }(std::make_integer_sequence<int, M * D>{});
+}
+
+// What the filters add to the largest differences along the axes, so that their bounds exceed what is lost where
+// numbers are subnormal or taken for zero. That is 2^-1020 for a difference or a product of doubles; the product of
+// `Degree` such numbers is 2^-960. Floats that are taken for zero make differences wrong by up to 2^-125: by 2^-65 of
+// what they are with this number added, and the filters allow for 2^-50.
+template <Floating T, int Degree>
+inline constexpr double filter_least = std::is_same_v<T, float> ? 0x1p-60 : power_of_two(-960 / Degree);
+
+// The predicate of M points.
+template <Point P, std::same_as<P>... Ps>
+IRG_INLINE constexpr int predicate(const P& first, const Ps&... others) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
+  using T = scalar_of<P>;
+  constexpr bool is_round = static_cast<int>(sizeof...(Ps)) == size_of<P> + 1;
+  if constexpr (Floating<T>) {
+    constexpr double least = filter_least<T, size_of<P> + (is_round ? 2 : 0)>;
+    if (!in_constant_evaluation())
+      if (const int sign = filtered_sign(table_of<double>(first, others...), least); sign != 0) return sign;
+    return exact_predicate_of(table_of<T>(first, others...));
+  } else if constexpr (std::is_integral_v<T>) {
+    using of_bytes = std::conditional_t<is_round, int128, std::int64_t>;
+    using of_ints = std::conditional_t<is_round, wide_int<1>, int128>;
+    using wide = std::conditional_t<sizeof(T) <= 2, of_bytes, std::conditional_t<sizeof(T) <= 4, of_ints, wide_int<2>>>;
+    return table_sign(table_of<wide>(first, others...));
+  } else {
+    return table_sign(table_of<T>(first, others...));
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
+
+#if IRG_BODIES
+namespace irg::detail {
+
+// The sign of the determinant of points, of the sums of their squares (with two points more than dimensions) and ones,
+// whatever the exponents: rounded, with exponents that never end, and as an exact sum. Both take the determinant apart
+// into products of coordinates, no differences: no two of its products are made of the same numbers, so that where the
+// exponents lie far apart one product is far larger than the others, and rounded numbers tell.
 
 // value * 2^exponent, rounded; `size` is what the value would be if all products in it were positive, at least 1 unless
 // everything in it is zero. What becomes smaller than 2^-1000 beside the rest is lost, which does not count.
@@ -133,54 +234,12 @@ constexpr int sum_sign(const point_table<double, M, D>& t) noexcept {
   return sum.sign();
 }
 
-// Whether rounded stages must be left out: overflow, which they are proof against, is an error there.
-IRG_INLINE constexpr bool in_constant_evaluation() noexcept { return std::is_constant_evaluated(); }
-
-// The coordinates of points of one type as numbers N.
-template <class N, Point P, std::same_as<P>... Ps>
-IRG_INLINE constexpr auto table_of(const P& first, const Ps&... others) {
-  constexpr int count = 1 + static_cast<int>(sizeof...(Ps)), size = size_of<P>;
-  const P* const points[] = {&first, &others...};
-  return [&]<int... J>(std::integer_sequence<int, J...>) IRG_INLINE_LAMBDA {
-    return point_table<N, count, size>{{converted<N>(coordinate(*points[J / size], J % size))...}};
-  }(std::make_integer_sequence<int, count * size>{});
-}
-
-// The points but the last, seen from the last one.
-template <class T, int M, int D>
-IRG_INLINE constexpr point_table<T, M - 1, D> relative_to_last(const point_table<T, M, D>& t) {
-  return [&]<int... J>(std::integer_sequence<int, J...>) IRG_INLINE_LAMBDA {
-    return point_table<T, M - 1, D>{{(t.v[J] - t.v[(M - 1) * D + J % D])...}};
-  }(std::make_integer_sequence<int, (M - 1) * D>{});
-}
-
 // The same coordinates as numbers N.
 template <class N, class T, int M, int D>
 IRG_INLINE constexpr point_table<N, M, D> as_numbers(const point_table<T, M, D>& t) {
   return [&]<int... J>(std::integer_sequence<int, J...>) {
     return point_table<N, M, D>{{N(t.v[J])...}};
   }(std::make_integer_sequence<int, M * D>{});
-}
-
-template <class T>
-IRG_INLINE constexpr int coordinate_sign(const T& v) noexcept {
-  return v < T(0) ? -1 : T(0) < v ? 1 : 0;
-}
-template <int N>
-IRG_INLINE constexpr int coordinate_sign(const wide_int<N>& v) noexcept {
-  return v.sign();
-}
-// The sign of a number that is neither zero nor NaN.
-IRG_INLINE constexpr int sign_of_nonzero(double x) noexcept {
-  return 1 | static_cast<int>(static_cast<std::int64_t>(bits_of(x)) >> 63);
-}
-
-// The largest size of coordinate k.
-template <int M, int D>
-IRG_INLINE constexpr double reach(const point_table<double, M, D>& t, int k) noexcept {
-  double largest = magnitude(t(0, k));
-  for (int i = 1; i < M; ++i) largest = maximum(largest, magnitude(t(i, k)));
-  return largest;
 }
 
 // The largest |x[i]|; halves are compared by themselves, so that they need not wait for each other.
@@ -241,12 +300,6 @@ constexpr bool to_double_words(const point_table<double, M, D>& x, point_table<w
 template <int D>
 inline constexpr int determinant_factor = D == 3 ? -1 : 1;
 
-// The sign, for exact numbers: T holds the differences of coordinates, their products what they are made of.
-template <class T, int M, int D>
-IRG_INLINE constexpr int table_sign(const point_table<T, M, D>& t) {
-  return coordinate_sign(difference_determinant(relative_to_last(t)));
-}
-
 // The exact stages.
 template <int M, int D>
 IRG_INLINE constexpr bool sign_by_words(const point_table<double, M, D>& t, int& sign) noexcept {
@@ -279,54 +332,26 @@ IRG_INLINE constexpr int compensated_sign(const point_table<double, M, D>&) noex
   return 0;
 }
 
-// Coordinates are passed in registers, so that nothing has to wait for the memory.
 template <int M, int D, std::same_as<double>... X>
 IRG_NOINLINE constexpr int sign_beyond_words(X... x) noexcept {
   const point_table<double, M, D> t{{x...}};
   int sign = 0;
   return sign_by_double_words(t, sign) || sign_by_range(t, sign) ? sign : sign_by_sum(t);
 }
+
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 template <int M, int D, Floating... X>
-IRG_NOINLINE constexpr int exact_predicate(X... x) noexcept {
+IRG_NOINLINE IRG_API int exact_predicate(X... x) noexcept {
   const point_table<double, M, D> t{{exactly_widened(x)...}};
   int sign = 0;
   if (!in_constant_evaluation()) sign = compensated_sign(t);
   if (sign != 0 || sign_by_words(t, sign)) return sign;
   return sign_beyond_words<M, D>(exactly_widened(x)...);
 }
-template <Floating T, int M, int D>
-IRG_INLINE constexpr int exact_predicate_of(const point_table<T, M, D>& t) noexcept {
-  return [&]<int... J>(std::integer_sequence<int, J...>) {
-    return exact_predicate<M, D>(t.v[J]...);
-  }(std::make_integer_sequence<int, M * D>{});
-}
 
-// What the filters add to the largest differences along the axes, so that their bounds exceed what is lost where
-// numbers are subnormal or taken for zero. That is 2^-1020 for a difference or a product of doubles; the product of
-// `Degree` such numbers is 2^-960. Floats that are taken for zero make differences wrong by up to 2^-125: by 2^-65 of
-// what they are with this number added, and the filters allow for 2^-50.
-template <Floating T, int Degree>
-inline constexpr double filter_least = std::is_same_v<T, float> ? 0x1p-60 : power_of_two(-960 / Degree);
-
-// The predicate of M points.
-template <Point P, std::same_as<P>... Ps>
-IRG_INLINE constexpr int predicate(const P& first, const Ps&... others) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
-  using T = scalar_of<P>;
-  constexpr bool is_round = static_cast<int>(sizeof...(Ps)) == size_of<P> + 1;
-  if constexpr (Floating<T>) {
-    constexpr double least = filter_least<T, size_of<P> + (is_round ? 2 : 0)>;
-    if (!in_constant_evaluation())
-      if (const int sign = filtered_sign(table_of<double>(first, others...), least); sign != 0) return sign;
-    return exact_predicate_of(table_of<T>(first, others...));
-  } else if constexpr (std::is_integral_v<T>) {
-    using of_bytes = std::conditional_t<is_round, int128, std::int64_t>;
-    using of_ints = std::conditional_t<is_round, wide_int<1>, int128>;
-    using wide = std::conditional_t<sizeof(T) <= 2, of_bytes, std::conditional_t<sizeof(T) <= 4, of_ints, wide_int<2>>>;
-    return table_sign(table_of<wide>(first, others...));
-  } else {
-    return table_sign(table_of<T>(first, others...));
-  }
-}
-
-}  // namespace IRG_ABI
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail
+#endif

@@ -10,9 +10,41 @@
 // it.
 #pragma once
 
-#include <irg/core/is_finite.hpp>
+#include <irg/core/function_ref.hpp>
 #include <irg/hidden/textbook/depth_sort_parts.hpp>
+#if IRG_BODIES
+#include <irg/core/is_finite.hpp>
+#endif
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <Floating T>
+IRG_API std::vector<textbook::depth_sorted_polygon<T>> sorted_by_tests(
+    const std::vector<std::vector<point<T, 3>>>& polygons,
+    const function_ref<void(newell_step, std::uint32_t, std::uint32_t)>& observer);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+namespace irg::textbook::inline IRG_ABI {
+
+/// Polygons, and parts of those that had to be split, in an order in which the painter may draw them: none hides one
+/// that is drawn after it.
+/// shape   z towards the viewer; observer(step, number of P, number of Q)
+/// needs   convex flat polygons
+/// gives   each polygon once, or its parts; those with a number that is not finite are left out
+/// exact   as the tests are, of parts for their rounded points; where polygons lie within roundings of each other the
+///         order may be wrong there
+/// cost    n^2 tests where all overlap in depth, a sort where none do; those that hide each other make parts. Allocates
+/// source  Hidden-surface slides, after Newell, Newell and Sancha 1972
+template <Floating T, class Observer = no_newell_observer>
+[[nodiscard]] constexpr std::vector<depth_sorted_polygon<T>> depth_sort(
+    const std::vector<std::vector<point<T, 3>>>& polygons, Observer&& observer = {}) {
+  return detail::sorted_by_tests<T>(polygons, as_function<void(newell_step, std::uint32_t, std::uint32_t)>(observer));
+}
+
+}  // namespace irg::textbook::inline IRG_ABI
+
+#if IRG_BODIES
 namespace irg::detail::inline IRG_ABI {
 
 // The last of the list, P, may hide part q, which was moved: q is split by the plane of P, or P by that of q, or any of
@@ -49,32 +81,25 @@ constexpr void break_cycle(textbook::depth_sort_list<T>& list, std::size_t q, Ob
 
 }  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::textbook::inline IRG_ABI {
+namespace irg::detail::inline IRG_COMPILED_ABI {
 
-/// Polygons, and parts of those that had to be split, in an order in which the painter may draw them: none hides one
-/// that is drawn after it.
-/// shape   z towards the viewer; observer(step, number of P, number of Q)
-/// needs   convex flat polygons
-/// gives   each polygon once, or its parts; those with a number that is not finite are left out
-/// exact   as the tests are, of parts for their rounded points; where polygons lie within roundings of each other the
-///         order may be wrong there
-/// cost    n^2 tests where all overlap in depth, a sort where none do; those that hide each other make parts. Allocates
-/// source  Hidden-surface slides, after Newell, Newell and Sancha 1972
-template <Floating T, class Observer = no_newell_observer>
-[[nodiscard]] constexpr std::vector<depth_sorted_polygon<T>> depth_sort(
-    const std::vector<std::vector<point<T, 3>>>& polygons, Observer&& observer = {}) {
-  depth_sort_list<T> list;
+template <Floating T>
+IRG_API std::vector<textbook::depth_sorted_polygon<T>> sorted_by_tests(
+    const std::vector<std::vector<point<T, 3>>>& polygons,
+    const function_ref<void(newell_step, std::uint32_t, std::uint32_t)>& observer) {
+  textbook::depth_sort_list<T> list;
   auto& parts = list.parts;
   for (const auto& p : polygons) {
     const std::uint32_t number = list.made++;
-    if (!p.empty() && is_finite(p)) parts.push_back(make_part(p, number, visible_plane_of(p), number));
+    if (!p.empty() && is_finite(p))
+      parts.push_back(textbook::make_part(p, number, textbook::visible_plane_of(p), number));
   }
   std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
     return a.farthest != b.farthest ? a.farthest > b.farthest : a.polygon.number > b.polygon.number;
   });
-  std::vector<depth_sorted_polygon<T>> order;
+  std::vector<textbook::depth_sorted_polygon<T>> order;
   while (!parts.empty()) {
-    depth_sort_part<T>& p = parts.back();
+    textbook::depth_sort_part<T>& p = parts.back();
     std::size_t q = parts.size() - 1;  // of those before P, the last that P may hide, or P itself
     while (q > 0 && does_not_hide(p, parts[q - 1])) --q;
     if (q == 0) {
@@ -82,7 +107,7 @@ template <Floating T, class Observer = no_newell_observer>
       order.push_back(std::move(p.polygon));
       parts.pop_back();
     } else if (parts[--q].moved) {
-      detail::break_cycle(list, q, observer);
+      break_cycle(list, q, observer);
     } else {
       observer(newell_step::moved, p.polygon.number, parts[q].polygon.number);
       parts[q].moved = true;
@@ -93,4 +118,5 @@ template <Floating T, class Observer = no_newell_observer>
   return order;
 }
 
-}  // namespace irg::textbook::inline IRG_ABI
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

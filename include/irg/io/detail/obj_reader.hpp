@@ -14,14 +14,10 @@
 
 #include <irg/core/result.hpp>
 #include <irg/io/detail/obj_content.hpp>
+#include <irg/io/mesh_options.hpp>
 #include <irg/math/decimal_digit.hpp>
 
-namespace irg {
-
-/// What to do with statements that the mesh has no place for: points, lines, curves, smoothing groups and the like.
-enum class obj_unused { skip, refuse };
-
-namespace detail::inline IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// The sentences for a bad index of one kind.
 struct obj_index_messages {
@@ -311,28 +307,4 @@ struct obj_reader {
   }
 };
 
-/// The mesh of a text, or the first error, by one reader after another.
-template <Floating T>
-constexpr result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused unused) {
-  obj_counts counts;
-  {
-    obj_reader<T> reader(text, unused);
-    reader.content.reserve(samples_of_obj(text), text.size());
-    const bool sound = reader.text();
-    if (const std::size_t zero = sound && !reader.has_zero ? text.npos : text.find('\0'); zero != text.npos)
-      return error_at(text, text.data() + zero, "byte 0 stands in the text");
-    if (!sound) return error_at(text, reader.place, reader.message);
-    if (reader.content.every_index_exists()) {
-      reader.end_part();
-      return std::move(reader.content.made);
-    }
-    counts = reader.content.filled;
-  }
-  obj_reader<T> reader(text, unused, counts);
-  reader.text();
-  return error_at(text, reader.place, reader.message);
-}
-
-}  // namespace detail::inline IRG_ABI
-
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

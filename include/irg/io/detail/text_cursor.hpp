@@ -107,21 +107,4 @@ struct text_cursor {
   }
 };
 
-/// Whether two words are the same but for upper and lower case.
-/// needs   `lower` has no capitals
-constexpr bool is_word(std::string_view word, std::string_view lower) noexcept {
-  if (word.size() != lower.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    const bool capital = word[i] >= 'A' && word[i] <= 'Z';
-    if ((capital ? static_cast<char>(word[i] - 'A' + 'a') : word[i]) != lower[i]) return false;
-  }
-  return true;
-}
-
-/// Whether the name ends so, in either case.
-/// needs   `lower` has no capitals
-constexpr bool has_ending(std::string_view name, std::string_view lower) noexcept {
-  return name.size() >= lower.size() && is_word(name.substr(name.size() - lower.size()), lower);
-}
-
 }  // namespace irg::detail::inline IRG_ABI

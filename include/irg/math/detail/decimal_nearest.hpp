@@ -38,6 +38,14 @@ struct decimal_text {
   bool cut = false;               // digits that are not 0 follow the mantissa's
 };
 
+inline namespace IRG_COMPILED_ABI {
+
+/// The T nearest to the text's number without its sign.
+template <Floating T>
+IRG_API T unsigned_value(const decimal_text& text) noexcept;
+
+}  // namespace IRG_COMPILED_ABI
+
 inline namespace IRG_ABI {
 
 // Powers of ten to 128 bits, which decide nearly always.
@@ -368,9 +376,14 @@ IRG_NOINLINE constexpr T nearest_by_naturals(const decimal_text& text, T below) 
   return std::bit_cast<T>(static_cast<bits_of_decimal<T>>(bits + (up ? 1 : 0)));
 }
 
-/// The T nearest to the text's number without its sign.
+}  // namespace IRG_ABI
+}  // namespace irg::detail
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
 template <Floating T>
-constexpr T unsigned_value(const decimal_text& text) noexcept {
+IRG_API T unsigned_value(const decimal_text& text) noexcept {
   // The mantissa is less than 10^19.
   if (text.mantissa == 0 || text.exponent < -342) return T{0};
   if (text.exponent > 308) return std::numeric_limits<T>::infinity();
@@ -398,5 +411,5 @@ constexpr T unsigned_value(const decimal_text& text) noexcept {
   return nearest_by_naturals(text, below);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

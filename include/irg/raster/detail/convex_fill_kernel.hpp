@@ -9,9 +9,26 @@
 // all edges across two rows or more (dy > 256). Other edges never use theirs, which is below 2^61.
 #pragma once
 
+#include <span>
+
+#include <irg/core/function_ref.hpp>
+#include <irg/raster/detail/compiled_rasters.hpp>
 #include <irg/raster/detail/snapped_ring.hpp>
+#include <irg/raster/fill_span.hpp>
 #include <irg/raster/paint.hpp>
 #include <irg/raster/window.hpp>
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+// walk_ring to a sink, and to pixels.
+template <CompiledVertex V>
+IRG_API bool send_ring_runs(std::span<const V> ring, const cell_window& w,
+                            const function_ref<void(int, int, int)>& sink);
+template <CompiledPixel P, CompiledVertex V>
+IRG_API bool paint_ring_runs(const image_view<P>& raster, std::span<const V> ring, const P& value,
+                             const cell_window& w);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
 
 namespace irg::detail::inline IRG_ABI {
 
@@ -251,3 +268,23 @@ IRG_INLINE constexpr bool walk_ring(const R& ring, const cell_window& window, Em
 }
 
 }  // namespace irg::detail::inline IRG_ABI
+
+#if IRG_BODIES
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <CompiledVertex V>
+IRG_API bool send_ring_runs(std::span<const V> ring, const cell_window& w,
+                            const function_ref<void(int, int, int)>& sink) {
+  return walk_ring(ring, w, sink);
+}
+
+template <CompiledPixel P, CompiledVertex V>
+IRG_API bool paint_ring_runs(const image_view<P>& raster, std::span<const V> ring, const P& value,
+                             const cell_window& w) {
+  image_view<P> target = raster;
+  const std::ptrdiff_t ahead = bytes_to_row_below(target);
+  return walk_ring(ring, w, [&](int y, int first, int last) { paint_run(target, y, first, last, value, ahead); });
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

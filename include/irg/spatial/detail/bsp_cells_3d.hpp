@@ -13,42 +13,17 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/orient3d.hpp>
+#include <irg/geometry/parametric_line.hpp>
 #include <irg/geometry/side_of_meeting.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/spatial/bsp_data_3d.hpp>
+#include <irg/spatial/detail/growing_bsp_3d.hpp>
 
 namespace irg::detail {
-
-// A plane in rounded numbers, with a bound of what they are off by: it tells the side of most points in a few
-// operations, and says so where it does not.
-
-// A rounded value, and how far it may be off.
-struct bounded_value {
-  double value, bound;
-
-  /// 1 or -1, or 0 where the bound leaves it open.
-  IRG_INLINE constexpr int sign() const noexcept { return value > bound ? 1 : value < -bound ? -1 : 0; }
-};
-
-// normal . (p - at). With u = 2^-53, s the largest difference between corners along an axis and D that of p and `at`: a
-// normal's coordinate is at most 2s^2 and off by less than 8.1u s^2; products with p - at and their sum are off by
-// 24u s^2 D more, in all less than 49u s^2 D. `error` is 64u s^2. What subnormals lose is less than 2^-1000.
-struct rounded_plane {
-  double normal[3], at[3], error, size;  // size: the sum of the normal's absolute values
-
-  // off   how far each coordinate of p may be off
-  IRG_INLINE constexpr bounded_value operator()(const double (&p)[3], double off) const noexcept {
-    constexpr double least = 0x1p-1000;
-    const double dx = p[0] - at[0], dy = p[1] - at[1], dz = p[2] - at[2];
-    const double reach = maximum(maximum(magnitude(dx), magnitude(dy)), magnitude(dz));
-    const double value = product(normal[0], dx) + product(normal[1], dy) + product(normal[2], dz);
-    return {value, product(error, reach) + product(size, off) + least};
-  }
-};
-
 inline namespace IRG_ABI {
 
 IRG_INLINE constexpr rounded_plane plane_of_corners(const double (&a)[3], const double (&b)[3],
@@ -77,31 +52,6 @@ IRG_INLINE constexpr rounded_plane plane_across(int axis, const double (&at)[3])
 
 }  // namespace IRG_ABI
 
-// The same for points without error, in fewer numbers: normal . p - offset. With R the largest coordinate of p and A
-// that of `at`, the products and sums of normal . p and of `offset` are off by less than 24u s^2 R and 24u s^2 A, and
-// the normal by 24.3u s^2 (R + A): `error` R + `error_at` is above both.
-struct walked_plane {
-  double normal[3], offset, error, error_at;
-
-  IRG_INLINE constexpr explicit walked_plane(const rounded_plane& p) noexcept
-      : normal{p.normal[0], p.normal[1], p.normal[2]},
-        offset(product(p.normal[0], p.at[0]) + product(p.normal[1], p.at[1]) + product(p.normal[2], p.at[2])),
-        error(maximum(p.error, 0x1p-50 * p.size)),
-        error_at(product(error, maximum(maximum(magnitude(p.at[0]), magnitude(p.at[1])), magnitude(p.at[2]))) +
-                 0x1p-1000) {}
-
-  // reach   the largest coordinate of p
-  IRG_INLINE constexpr bounded_value operator()(const double (&p)[3], double reach) const noexcept {
-    return {product(normal[0], p[0]) + product(normal[1], p[1]) + product(normal[2], p[2]) - offset,
-            product(error, reach) + error_at};
-  }
-};
-
-// A piece that no node holds yet: `count` corners from `first` on, none where it is the whole triangle.
-struct open_piece {
-  std::uint32_t triangle, limits, first, count;
-};
-
 // A corner of a piece, and what its next side lies on: side 0 to 2 of its triangle, or 3 + a node for that one's plane.
 struct piece_corner {
   double at[3];
@@ -128,40 +78,6 @@ constexpr rounded_plane plane_of(const bsp_data_3d<T>& d, const bsp_plane_3d& pl
   copy_widened(d.vertices[v[1]], b);
   copy_widened(d.vertices[v[2]], c);
   return plane_of_corners(a, b, c);
-}
-
-// 1, -1 or 0: in front of a plane, behind, on it.
-template <class T>
-IRG_NOINLINE constexpr int exact_side(const bsp_data_3d<T>& d, const bsp_plane_3d& plane,
-                                      const point<T, 3>& p) noexcept {
-  if (plane.axis != bsp_plane_3d::of_triangle) {
-    const T at = d.vertices[plane.source][static_cast<int>(plane.axis)], x = p[static_cast<int>(plane.axis)];
-    return at < x ? 1 : x < at ? -1 : 0;
-  }
-  const auto& [v] = d.triangles[plane.source];
-  return orient3d(d.vertices[v[0]], d.vertices[v[1]], d.vertices[v[2]], p);
-}
-
-// Of a point infinitely far away.
-template <class T>
-constexpr int side_of_direction(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const vec<T, 3>& to) noexcept {
-  if (plane.axis != bsp_plane_3d::of_triangle) {
-    const T x = to[static_cast<int>(plane.axis)];
-    return T(0) < x ? 1 : x < T(0) ? -1 : 0;
-  }
-  std::array<double, 15> in{};
-  std::size_t n = 0;
-  for (const std::uint32_t v : d.triangles[plane.source].v)
-    for (int k = 0; k < 3; ++k) in[n++] = widened(d.vertices[v][k]);
-  for (int k = 0; k < 3; ++k) in[n++] = widened(to[k]);
-  return irg::sign_of<3>(
-      [](const auto& x) {
-        const auto ux = x[3] - x[0], uy = x[4] - x[1], uz = x[5] - x[2];
-        const auto vx = x[6] - x[0], vy = x[7] - x[1], vz = x[8] - x[2];
-        return (uy * vz - uz * vy) * (x[9] - x[12]) + (uz * vx - ux * vz) * (x[10] - x[13]) +
-               (ux * vy - uy * vx) * (x[11] - x[14]);
-      },
-      in);
 }
 
 template <class T>
@@ -436,39 +352,6 @@ constexpr std::size_t divide_cell(bsp_cells_3d<T>& cells, const std::vector<open
 
 // A tree that grows by adding, and goes back to what it was.
 
-// Where a node hangs: below another one, in front or behind, or beside one of the same plane.
-enum class hung { in_front, behind, beside };
-struct bsp_link {
-  std::uint32_t node;
-  hung where;
-};
-
-// What a visit asks of a node: its plane, what is below it behind and in front, and its piece if it has but one.
-struct bsp_walk_step {
-  walked_plane plane;
-  std::uint32_t below[2], piece;
-};
-inline constexpr std::uint32_t several_pieces = no_index - 1;
-
-struct bsp_sizes {
-  std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0, links = 0;
-};
-
-template <Floating T>
-struct growing_bsp_3d {
-  // The pieces of a cell, and where the node hangs that is to divide it.
-  struct open_cell {
-    std::vector<open_piece> pieces;
-    bsp_link at;
-  };
-
-  bsp_data_3d<T> data{};
-  std::vector<rounded_plane> planes{};  // of the nodes
-  std::vector<bsp_walk_step> steps{};
-  std::vector<bsp_link> links{};  // from what was there to what was merged in
-  std::size_t splits = 0, left_out = 0;
-};
-
 inline namespace IRG_ABI {
 
 template <Floating T>
@@ -486,30 +369,6 @@ constexpr bsp_walk_step step_at(const growing_bsp_3d<T>& tree, std::uint32_t i) 
           !has_one           ? several_pieces
           : n.first < n.last ? n.first
                              : no_index};
-}
-
-template <Floating T>
-constexpr bsp_sizes sizes_of(const growing_bsp_3d<T>& tree) noexcept {
-  const bsp_data_3d<T>& d = tree.data;
-  return {d.vertices.size(), d.triangles.size(), d.nodes.size(), d.pieces.size(),
-          d.limits.size(),   tree.splits,        tree.left_out,  tree.links.size()};
-}
-
-template <Floating T>
-constexpr void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to) {
-  for (; tree.links.size() > to.links; tree.links.pop_back()) {
-    link_of(tree, tree.links.back()) = no_index;
-    tree.steps[tree.links.back().node] = step_at(tree, tree.links.back().node);
-  }
-  tree.data.vertices.resize(to.vertices, point<T, 3>{});
-  tree.data.triangles.resize(to.triangles, triangle_indices{});
-  tree.data.nodes.resize(to.nodes, bsp_node_3d{});
-  tree.planes.erase(tree.planes.begin() + static_cast<std::ptrdiff_t>(to.nodes), tree.planes.end());
-  tree.steps.erase(tree.steps.begin() + static_cast<std::ptrdiff_t>(to.nodes), tree.steps.end());
-  tree.data.pieces.resize(to.pieces, bsp_piece_3d{});
-  tree.data.limits.resize(to.limits, bsp_limit_3d{});
-  tree.splits = to.splits;
-  tree.left_out = to.left_out;
 }
 
 template <Floating T>
@@ -561,9 +420,83 @@ constexpr auto take_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 
   return all;
 }
 
+}  // namespace IRG_ABI
+
+inline namespace IRG_COMPILED_ABI {
+
 template <Floating T>
-constexpr void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
-                             std::span<const triangle_indices> triangles, const bsp_options& choice) {
+IRG_NOINLINE IRG_API int exact_side(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const point<T, 3>& p) noexcept {
+  if (plane.axis != bsp_plane_3d::of_triangle) {
+    const T at = d.vertices[plane.source][static_cast<int>(plane.axis)], x = p[static_cast<int>(plane.axis)];
+    return at < x ? 1 : x < at ? -1 : 0;
+  }
+  const auto& [v] = d.triangles[plane.source];
+  return orient3d(d.vertices[v[0]], d.vertices[v[1]], d.vertices[v[2]], p);
+}
+
+template <Floating T>
+IRG_API int side_of_direction(const bsp_data_3d<T>& d, const bsp_plane_3d& plane, const vec<T, 3>& to) noexcept {
+  if (plane.axis != bsp_plane_3d::of_triangle) {
+    const T x = to[static_cast<int>(plane.axis)];
+    return T(0) < x ? 1 : x < T(0) ? -1 : 0;
+  }
+  std::array<double, 15> in{};
+  std::size_t n = 0;
+  for (const std::uint32_t v : d.triangles[plane.source].v)
+    for (int k = 0; k < 3; ++k) in[n++] = widened(d.vertices[v][k]);
+  for (int k = 0; k < 3; ++k) in[n++] = widened(to[k]);
+  return irg::sign_of<3>(
+      [](const auto& x) {
+        const auto ux = x[3] - x[0], uy = x[4] - x[1], uz = x[5] - x[2];
+        const auto vx = x[6] - x[0], vy = x[7] - x[1], vz = x[8] - x[2];
+        return (uy * vz - uz * vy) * (x[9] - x[12]) + (uz * vx - ux * vz) * (x[10] - x[13]) +
+               (ux * vy - uy * vx) * (x[11] - x[14]);
+      },
+      in);
+}
+
+template <Floating T>
+IRG_API std::vector<point<T, 3>> rounded_ring(const growing_bsp_3d<T>& tree, const bsp_piece_3d& p) {
+  const bsp_data_3d<T>& d = tree.data;
+  std::vector<point<T, 3>> ring, kept;
+  for (const std::uint32_t v : d.triangles[p.triangle].v) ring.push_back(d.vertices[v]);
+  for (std::uint32_t l = p.limits; l != no_index && !ring.empty(); l = d.limits[l].next, std::swap(ring, kept)) {
+    kept.clear();
+    const rounded_plane& plane = tree.planes[d.limits[l].node];
+    const auto height = [&](const point<T, 3>& q) {
+      const double at[3] = {widened(q[0]), widened(q[1]), widened(q[2])};
+      return plane(at, 0.0).value * d.limits[l].side;
+    };
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      const double f = height(a), g = height(b);
+      if (f >= 0) kept.push_back(a);
+      if ((f < 0 && g > 0) || (f > 0 && g < 0)) kept.push_back(point_between(a, b, converted<T>(f / (f - g))));
+    }
+  }
+  return ring;
+}
+
+template <Floating T>
+IRG_API void shrink_to(growing_bsp_3d<T>& tree, const bsp_sizes& to) {
+  for (; tree.links.size() > to.links; tree.links.pop_back()) {
+    link_of(tree, tree.links.back()) = no_index;
+    tree.steps[tree.links.back().node] = step_at(tree, tree.links.back().node);
+  }
+  tree.data.vertices.resize(to.vertices, point<T, 3>{});
+  tree.data.triangles.resize(to.triangles, triangle_indices{});
+  tree.data.nodes.resize(to.nodes, bsp_node_3d{});
+  tree.planes.erase(tree.planes.begin() + static_cast<std::ptrdiff_t>(to.nodes), tree.planes.end());
+  tree.steps.erase(tree.steps.begin() + static_cast<std::ptrdiff_t>(to.nodes), tree.steps.end());
+  tree.data.pieces.resize(to.pieces, bsp_piece_3d{});
+  tree.data.limits.resize(to.limits, bsp_limit_3d{});
+  tree.splits = to.splits;
+  tree.left_out = to.left_out;
+}
+
+template <Floating T>
+IRG_API void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3>> vertices,
+                           std::span<const triangle_indices> triangles, const bsp_options& choice) {
   using open_cell = typename growing_bsp_3d<T>::open_cell;
   IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
   const std::size_t links_before = tree.links.size();
@@ -595,5 +528,11 @@ constexpr void add_triangles(growing_bsp_3d<T>& tree, std::span<const point<T, 3
     tree.steps[tree.links[i].node] = step_at(tree, tree.links[i].node);
 }
 
-}  // namespace IRG_ABI
+template <Floating T>
+IRG_API void make_walkable(growing_bsp_3d<T>& tree) {
+  for (const bsp_node_3d& n : tree.data.nodes) tree.planes.push_back(plane_of(tree.data, n.plane));
+  for (std::uint32_t i = 0; i < tree.data.nodes.size(); ++i) tree.steps.push_back(step_at(tree, i));
+}
+
+}  // namespace IRG_COMPILED_ABI
 }  // namespace irg::detail

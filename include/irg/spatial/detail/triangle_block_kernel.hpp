@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <type_traits>
 
 #include <irg/core/lanes.hpp>
@@ -11,12 +13,6 @@
 #include <irg/spatial/cross_triangle.hpp>
 
 namespace irg::detail {
-
-template <Floating T>
-struct triangle_block {
-  static constexpr int width = 4;
-  T v[3][3][width];  // corner, axis, triangle
-};
 
 inline namespace IRG_ABI {
 
@@ -195,6 +191,31 @@ IRG_INLINE unsigned rays_at_triangle(const packet_shear& s, const triangle_block
     bits |= (full & ~static_cast<unsigned>(mask_bits(are_passed(sides_of(c), bound)))) << i;
   }
   return bits;
+}
+
+// No coordinate of a corner in the tree, seen from the origin, is larger.
+IRG_INLINE constexpr double reach_of(const bvh& tree, const space_point& origin) noexcept {
+  constexpr double slack = 1 + 0x1p-50;
+  double most = 0;
+  for (int i = 0; i < 3; ++i) most = maximum(most, magnitude(origin[i]));
+  return (most + 1 / tree.scale) * slack;
+}
+
+IRG_INLINE constexpr double bound_of(const bvh& tree, const space_point& origin) noexcept {
+  constexpr double largest = 0x1p250;
+  const double m = reach_of(tree, origin);
+  return m < largest ? side_bound(m) : std::numeric_limits<double>::infinity();
+}
+
+// A bit for each triangle of a leaf that is not certainly passed by.
+template <class T>
+IRG_INLINE constexpr unsigned leaf_met(std::span<const triangle_block<T>> blocks, std::uint32_t leaf,
+                                       const ray_shear& s, double bound) noexcept {
+  constexpr std::uint32_t width = bvh_node::block;
+  const std::uint32_t count = bvh_node::count_of(leaf), block = bvh_node::number_of(leaf);
+  unsigned bits = triangles_met(blocks[block], s, bound);
+  if (count > width) bits |= triangles_met(blocks[block + 1], s, bound) << width;
+  return bits & ((1u << count) - 1);
 }
 
 }  // namespace IRG_ABI

@@ -14,25 +14,10 @@
 
 #include <irg/core/scalar.hpp>
 #include <irg/spatial/walled_grid.hpp>
+#include <irg/visibility/detail/open_sectors.hpp>
 #include <irg/visibility/see.hpp>
 
 namespace irg::detail {
-
-// A direction, x over y; closed when the direction itself belongs to the sector that it ends.
-struct sweep_slope {
-  std::int64_t num = 0, den = 1;
-  bool closed = true;
-};
-
-// The end of a sector, and the column floor(y num / den) = x that it has reached in the row y, with the rest.
-struct sweep_end {
-  sweep_slope slope;
-  std::int64_t x = 0, rest = 0, dx = 0, drest = 0;
-};
-struct open_sector {
-  sweep_end low, high;
-};
-
 inline namespace IRG_ABI {
 
 IRG_INLINE constexpr std::int64_t compare(const sweep_slope& a, const sweep_slope& b) noexcept {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include <irg/render/detail/bin/bin_triangles.hpp>
 #include <irg/render/detail/bin/triangle_finder.hpp>
 
 namespace irg::detail::inline IRG_ABI {

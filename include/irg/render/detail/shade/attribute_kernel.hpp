@@ -13,6 +13,7 @@
 #include <irg/core/vocabulary.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/render/attribute_shading.hpp>
+#include <irg/render/detail/bin/corner_lanes.hpp>
 #include <irg/render/detail/shade/tile_shading.hpp>
 #include <irg/render/detail/visible/streamed_rows.hpp>
 

@@ -16,6 +16,8 @@
 #include <irg/colour/srgb_lanes.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/core/interleaved_lanes.hpp>
+#include <irg/raster/pixel_weights.hpp>
+#include <irg/raster/triangle_batch.hpp>
 #include <irg/render/detail/shade/collected_points.hpp>
 #include <irg/render/drawable.hpp>
 #include <irg/render/prepared_scene.hpp>

@@ -7,8 +7,10 @@
 #include <optional>
 
 #include <irg/raster/draw_triangle.hpp>
+#include <irg/raster/piece_weights.hpp>
 #include <irg/render/attribute_shading.hpp>
 #include <irg/render/detail/shade/collected_points.hpp>
+#include <irg/render/detail/visible/tile.hpp>
 #include <irg/render/detail/visible/visible_window.hpp>
 
 namespace irg::detail::inline IRG_ABI {

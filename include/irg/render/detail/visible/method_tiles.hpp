@@ -2,16 +2,33 @@
 // From ids, whoever wrote them, to what a window shows.
 #pragma once
 
+#include <cstdint>
+
+#include <irg/core/executor.hpp>
+#include <irg/raster/image.hpp>
+#include <irg/render/detail/visible/tile_driver.hpp>
+#include <irg/render/window_faces.hpp>
+#if IRG_BODIES
 #include <algorithm>
 #include <concepts>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include <irg/hidden/painter_once.hpp>
-#include <irg/render/detail/visible/tile_driver.hpp>
-#include <irg/render/window_faces.hpp>
+#include <irg/render/detail/visible/clear_window.hpp>
+#include <irg/render/detail/visible/visible_pixels.hpp>
+#endif
 
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+// Draws all tiles as a method finds what they show, which writes into `ids`, and hands each to `finish`.
+template <class Order, Floating T, class Depth>
+IRG_API render_counts draw_by_ids(const method_ref<T>& method, image<std::uint32_t>& ids, Depth& depth,
+                                  const tile_job<T>& job, const tile_finish<T>& finish, const executor_ref& executor);
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+
+#if IRG_BODIES
 namespace irg::detail {
 
 // The numbers of triangles of the convex bodies in a picture of which only front faces are drawn.
@@ -96,15 +113,15 @@ constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const 
 
 // Tiles whose ids another method finds. `ids` belongs to the picture, all no_index before. Where `bodies` are given,
 // the method is not asked about tiles that show one convex body alone.
-template <class Order, class Method>
+template <class Order, class T>
 struct method_tiles {
-  const Method& method;
+  const method_ref<T>& method;
   image<std::uint32_t>& ids;
   const convex_bodies* bodies = nullptr;
 
   static constexpr float farthest() noexcept { return Order::farthest; }
 
-  template <class T, class Depth>
+  template <class Depth>
   constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i,
                                    const tile_finish<T>& finish) const {
     const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
@@ -136,3 +153,14 @@ struct method_tiles {
 
 }  // namespace IRG_ABI
 }  // namespace irg::detail
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Order, Floating T, class Depth>
+IRG_API render_counts draw_by_ids(const method_ref<T>& method, image<std::uint32_t>& ids, Depth& depth,
+                                  const tile_job<T>& job, const tile_finish<T>& finish, const executor_ref& executor) {
+  return draw_tiles<T>(method_tiles<Order, T>{method, ids}, depth, job, finish, executor);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif

@@ -13,14 +13,11 @@
 #include <limits>
 
 #include <irg/core/lanes.hpp>
-#include <irg/raster/depth.hpp>
 #include <irg/raster/screen_face.hpp>
 #include <irg/raster/window.hpp>
+#include <irg/render/detail/visible/tile_test.hpp>
 
 namespace irg::detail {
-
-inline constexpr int tile_size = 64, block_size = 8, blocks_across = tile_size / block_size;
-inline constexpr int tile_stride = tile_size + block_size;  // runs of pixels may reach beyond the right border
 
 struct tile {
   alignas(64) float key[tile_size * tile_stride];
@@ -30,19 +27,6 @@ struct tile {
   std::uint64_t stale;  // the blocks that were drawn to since their `farthest_key` was computed
   int width, height;  // of the part that lies in the picture
 };
-
-// How pixels are decided in a tile: by depth, always for the later triangle, or by depth where nobody asks whose it is.
-enum class tile_test { nearer, always, depth_only };
-
-// How an order of depths is turned into one of keys. Orders of other makers are drawn pixel by pixel.
-template <class Order>
-inline constexpr float key_sign = 0;
-template <>
-inline constexpr float key_sign<nearer_is_greater> = 1;
-template <>
-inline constexpr float key_sign<nearer_is_less> = -1;
-template <>
-inline constexpr float key_sign<drawing_order> = 1;
 
 inline namespace IRG_ABI {
 

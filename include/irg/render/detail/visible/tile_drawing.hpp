@@ -7,9 +7,10 @@
 #include <cstdint>
 #include <span>
 
+#include <irg/render/detail/bin/corner_lanes.hpp>
 #include <irg/render/detail/bin/triangle_finder.hpp>
 #include <irg/render/detail/visible/tile_kernel.hpp>
-#include <irg/render/detail/visible/visible_window.hpp>
+#include <irg/render/detail/visible/visible_pixels.hpp>
 
 namespace irg::detail::inline IRG_ABI {
 

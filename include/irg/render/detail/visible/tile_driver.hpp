@@ -3,72 +3,28 @@
 // then what is to be made of it, be it colours, numbers or nothing but depths.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <irg/core/executor.hpp>
-#include <irg/raster/fill_span.hpp>
-#include <irg/raster/image.hpp>
+#include <irg/raster/draw_counts.hpp>
 #include <irg/raster/triangle_batch.hpp>
-#include <irg/render/detail/bin/triangle_finder.hpp>
+#include <irg/render/detail/visible/draw_target.hpp>
+#include <irg/render/detail/visible/tile_test.hpp>
+#include <irg/render/detail/visible/visible_window.hpp>
+#if IRG_BODIES
+#include <irg/render/detail/bin/bin_triangles.hpp>
+#include <irg/render/detail/bin/corner_lanes.hpp>
+#include <irg/render/detail/visible/clear_window.hpp>
 #include <irg/render/detail/visible/streamed_rows.hpp>
 #include <irg/render/detail/visible/tile_drawing.hpp>
 #include <irg/render/detail/visible/tile_kernel.hpp>
-#include <irg/render/detail/visible/visible_window.hpp>
+#include <irg/render/detail/visible/visible_pixels.hpp>
+#endif
 
 namespace irg {
-
-/// Whether the picture and its depth are cleared first: tile by tile, just before each is drawn, while it is in the
-/// cache.
-enum class clearing { none, before_drawing };
-
-/// Whether the depths are wanted afterwards. Where they are not, and the picture is cleared first, the depth raster is
-/// left as it is at run time: no work is spent on it.
-enum class depth_result { kept, dropped };
-
-namespace detail {
-
-// The lists that drawing makes.
-struct drawing_lists {
-  triangle_bins bins;
-  std::vector<std::uint8_t> seen;  // by triangle: whether any part of it was not passed over
-};
-struct open_workspace;
-
-}  // namespace detail
-
-/// The lists that drawing makes. Kept from picture to picture, they spare the next one the allocation.
-class draw_workspace {
-  friend struct detail::open_workspace;
-  detail::drawing_lists lists_;
-};
-
-namespace detail {
-
-struct open_workspace {
-  IRG_INLINE constexpr drawing_lists& operator()(draw_workspace& w) const noexcept { return w.lists_; }
-};
-IRG_INLINE constexpr drawing_lists& lists_of(draw_workspace& w) noexcept { return open_workspace{}(w); }
-
-}  // namespace detail
-
-/// Where drawing goes: a raster of colours or numbers, and the depths of what it shows, of one size. At a call
-/// `{picture, depth}` is enough where they are images or views of the pixels that the function takes by default, else
-/// `irg::render_target{picture, depth}`.
-template <RowRaster Colour, RowRaster Depth>
-struct render_target {
-  Colour& colour;
-  Depth& depth;
-};
-/// Of two views, which images become on the way in.
-template <class P, class Z>
-struct render_target<image_view<P>, image_view<Z>> {
-  image_view<P> colour;
-  image_view<Z> depth;
-};
-template <class Colour, class Depth>
-render_target(Colour&, Depth&) -> render_target<Colour, Depth>;
 
 /// Triangles on the screen, of several objects or of one, and the mapping that their vertices were projected with. It
 /// refers to all that it is made of. At a call `{batches, mapping}` or `{vertices, triangles, mapping}` is enough for
@@ -95,10 +51,58 @@ private:
   triangle_batch<T> alone_{};
 };
 
+namespace detail {
+
+// What is drawn, and how, whatever becomes of it.
+template <class T>
+struct IRG_APART tile_job {
+  std::span<const triangle_batch<T>> batches;
+  const screen_mapping<T>& mapping;
+  drawing_lists& lists;
+  face_culling culling;
+  skip_options skip;
+  clearing clear;
+  depth_result depth = depth_result::kept;
+
+  constexpr triangle_finder<T> finder() const noexcept { return {batches, &lists.bins}; }
+};
+
+// The job that settings describe; `own` serves where they bring no workspace.
+template <class T>
+IRG_APART constexpr tile_job<T> job_of(const projected_triangles<T>& triangles, const auto& settings,
+                                       draw_workspace& own) noexcept {
+  tile_job<T> job{
+      triangles.batches(), triangles.mapping(), lists_of(settings.workspace != nullptr ? *settings.workspace : own),
+      settings.culling,    settings.skip,       settings.clear};
+  if constexpr (requires { settings.depth; }) job.depth = settings.depth;
+  return job;
+}
+
+}  // namespace detail
+
+namespace detail::inline IRG_COMPILED_ABI {
+
+// Draws all tiles by comparing depths, and hands each to `finish`.
+template <class Order, tile_test Test, Floating T, class Depth>
+IRG_API render_counts draw_zbuffer(Depth& depth, const tile_job<T>& job, const tile_finish<T>& finish,
+                                   const executor_ref& executor);
+
+}  // namespace detail::inline IRG_COMPILED_ABI
+
+namespace detail::inline IRG_ABI {
+
+template <class Order, tile_test Test, Floating T, RowRaster Depth>
+constexpr render_counts draw_by_depth(Depth& depth, const tile_job<T>& job, const tile_finish<T>& finish,
+                                      const executor_ref& executor) {
+  expect_known_order<Order>();
+  return on_rows(depth, [&](auto& rows) { return draw_zbuffer<Order, Test, T>(rows, job, finish, executor); });
+}
+
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+#if IRG_BODIES
+namespace irg::detail::inline IRG_ABI {
 
 // The numbers of a tile's list, roughly from the nearest triangle to the farthest, so that what lies behind them can be
 // passed over: sorted by 8 bits of the greatest key.
@@ -131,77 +135,6 @@ std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers,
   std::vector<std::uint32_t> sorted(size);
   for (std::size_t i = 0; i < size; ++i) sorted[start[bucket[i]]++] = numbers[i];
   return sorted;
-}
-
-}  // namespace IRG_ABI
-
-template <class R>
-inline constexpr bool has_window = false;
-template <class R>
-inline constexpr bool has_window<raster_within<R>> = true;
-
-// A raster as its rows allow: a view where they stand evenly, else itself, as one that is drawn to in part only.
-template <RowRaster R>
-IRG_INLINE constexpr decltype(auto) rows_of(R& r) {
-  if constexpr (EvenRowRaster<R> && !has_window<std::remove_const_t<R>>)
-    return view_of(r);
-  else
-    return (r);
-}
-
-// What is drawn, and how, whatever becomes of it.
-template <class T>
-struct IRG_APART tile_job {
-  std::span<const triangle_batch<T>> batches;
-  const screen_mapping<T>& mapping;
-  drawing_lists& lists;
-  face_culling culling;
-  skip_options skip;
-  clearing clear;
-  depth_result depth = depth_result::kept;
-
-  constexpr triangle_finder<T> finder() const noexcept { return {batches, &lists.bins}; }
-};
-
-// The job that settings describe; `own` serves where they bring no workspace.
-template <class T>
-IRG_APART constexpr tile_job<T> job_of(const projected_triangles<T>& triangles, const auto& settings,
-                                       draw_workspace& own) noexcept {
-  tile_job<T> job{
-      triangles.batches(), triangles.mapping(), lists_of(settings.workspace != nullptr ? *settings.workspace : own),
-      settings.culling,    settings.skip,       settings.clear};
-  if constexpr (requires { settings.depth; }) job.depth = settings.depth;
-  return job;
-}
-
-inline namespace IRG_ABI {
-
-// What becomes of what tiles show: colours, numbers, nothing. A virtual call for each tile, so that what finds them is
-// compiled once for all.
-template <class T>
-struct tile_finish {
-  virtual constexpr void clear(const cell_window& w) const = 0;  // where no triangle is
-  // Returns how many pixels show a triangle.
-  virtual constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const = 0;
-
-protected:
-  constexpr ~tile_finish() = default;
-};
-
-template <class R>
-IRG_INLINE constexpr void clear_window(R& raster, const cell_window& w, const pixel_of<R>& value) {
-  for (int y = w.y_first; y < w.y_last; ++y) fill_span(raster, {y, w.x_first, w.x_last}, value);
-}
-
-// How many triangles there were, and why some were not drawn.
-constexpr void add_skips(render_counts& stats, const triangle_bins& bins, std::span<const std::uint8_t> seen,
-                         const skip_options& skip) noexcept {
-  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
-  stats.skipped = bins.skipped;
-  stats.clipped = bins.clipped;
-  if (skip.occluded == skipping::off) return;
-  stats.skipped.occluded = bins.listed;
-  for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
 }
 
 // Notes that none of a list is passed over.
@@ -320,7 +253,7 @@ private:
 
 // The z-buffer where it matters which triangle is seen.
 template <class Order>
-using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ? tile_test::always : tile_test::nearer>;
+using zbuffer_method = zbuffer_tiles<Order, test_of<Order>>;
 
 // All tiles. What is seen is the method's affair, what becomes of it finish's.
 template <class T, class Method, class Depth>
@@ -347,5 +280,15 @@ constexpr render_counts draw_tiles(const Method& method, Depth& depth, const til
   return stats;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::detail::inline IRG_COMPILED_ABI {
+
+template <class Order, tile_test Test, Floating T, class Depth>
+IRG_API render_counts draw_zbuffer(Depth& depth, const tile_job<T>& job, const tile_finish<T>& finish,
+                                   const executor_ref& executor) {
+  return draw_tiles<T>(zbuffer_tiles<Order, Test>{}, depth, job, finish, executor);
+}
+
+}  // namespace irg::detail::inline IRG_COMPILED_ABI
+#endif
