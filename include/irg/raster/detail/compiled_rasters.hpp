@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What irg::compiled draws into and fills: views of pixels of four 8-bit channels, and rings whose vertices stand side by side.
-// Programs without it do without here: what is drawn, and the sink, are part of their innermost loops.
+// What irg::compiled draws into and fills: views of pixels of four 8-bit channels, rings whose vertices stand side by
+// side. Programs without it do without these: what is drawn, and the sink, are part of their innermost loops.
 #pragma once
 
 #include <concepts>
