@@ -10,7 +10,7 @@
 #define IRG_TEST_TEXT(...) IRG_TEST_TEXT_OF(__VA_ARGS__)
 constexpr std::string_view abi = IRG_TEST_TEXT(IRG_ABI);
 
-TEST_CASE("config: the namespace of functions names major version, instruction set and checks") {
+TEST_CASE("config: the namespace of functions names major version, instruction set, checks and linkage") {
   CHECK_BOTH(abi.starts_with("v0_"));
 #ifdef __AVX2__
   CHECK_BOTH(abi.find("avx") != abi.npos);
@@ -23,9 +23,9 @@ TEST_CASE("config: the namespace of functions names major version, instruction s
   CHECK_BOTH(abi.find("_plain_") != abi.npos);
 #endif
 #ifdef NDEBUG
-  CHECK_BOTH(abi.ends_with("_release"));
+  CHECK_BOTH(abi.ends_with("_release_header"));
 #else
-  CHECK_BOTH(abi.ends_with("_checked"));
+  CHECK_BOTH(abi.ends_with("_checked_header"));
 #endif
 }
 
