@@ -32,7 +32,8 @@ IRG_API T axis_crossing_in_doubt(T ax, T ay, T bx, T by, T x) noexcept;
 
 namespace irg::detail::inline IRG_ABI {
 
-IRG_INLINE constexpr float axis_crossing_of(float ax, float ay, float bx, float by, float x) noexcept {
+template <std::same_as<float> T>
+IRG_INLINE constexpr T axis_crossing_of(T ax, T ay, T bx, T by, T x) noexcept {
   const auto wide = [](float v) { return widened(v); };
   const double part = (wide(x) - wide(ax)) / (wide(bx) - wide(ax));
   const double way = product(wide(by) - wide(ay), part), y = wide(ay) + way;
@@ -56,7 +57,8 @@ IRG_INLINE constexpr bool axis_crossing_from(double ax, double ay, double bx, do
   return low == high && (magnitude(found.first_product) > 0x1p-600 || ay == by);
 }
 
-IRG_INLINE constexpr double axis_crossing_of(double ax, double ay, double bx, double by, double x) noexcept {
+template <std::same_as<double> T>
+IRG_INLINE constexpr T axis_crossing_of(T ax, T ay, T bx, T by, T x) noexcept {
   double y = 0;
   return axis_crossing_from(ax, ay, bx, by, x, y) ? y : axis_crossing_in_doubt(ax, ay, bx, by, x);
 }
