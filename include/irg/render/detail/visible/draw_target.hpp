@@ -74,7 +74,8 @@ constexpr auto on_rows(R& r, const Draw& draw) {
 // The same of a target's two rasters: draw(colour, depth).
 template <class Target, class Draw>
 constexpr auto on_rows_of(Target& target, const Draw& draw) {
-  auto& [to, depth_to] = target;
+  auto& [to, second] = target;
+  auto& depth_to = second;  // clang 14 captures no bindings
   return on_rows(to, [&](auto& colour) { return on_rows(depth_to, [&](auto& depth) { return draw(colour, depth); }); });
 }
 
