@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>  // brings std::allocator; <memory> costs more
 
+#include <irg/colour/pixel.hpp>
 #include <irg/core/config.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/raster_concept.hpp>
