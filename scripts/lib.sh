@@ -64,7 +64,8 @@ export -f passed_before note_passed
 # determinism runs. The library that the programs link is in between. The parameters of g++'s garbage collection save a
 # twentieth of its time.
 quick_build=(-DIRG_TEST_OPTIMISATION="-Og;-DIRG_INLINE_AS_USUAL;--param=ggc-min-expand=1000;--param=ggc-min-heapsize=500000"
-  -DIRG_PROGRAM_OPTIMISATION="-Og;-DIRG_INLINE_AS_USUAL" -DIRG_COMPILED_OPTIMISATION="-O1;-DIRG_INLINE_AS_USUAL")
+  -DIRG_PROGRAM_OPTIMISATION="-Og;-DIRG_INLINE_AS_USUAL"
+  -DIRG_COMPILED_PROGRAMS=ON -DIRG_COMPILED_OPTIMISATION="-O1;-DIRG_INLINE_AS_USUAL")
 
 as_root() {
   if [ "$(id -u)" = 0 ]; then
