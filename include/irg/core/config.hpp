@@ -108,7 +108,7 @@
 // hand each other.
 #define IRG_TEXT_EXPANDED(...) #__VA_ARGS__
 #define IRG_TEXT(...) IRG_TEXT_EXPANDED(__VA_ARGS__)
-#if defined(__GNUC__) && !defined(IRG_INLINE_AS_USUAL) && \
+#if defined(__GNUC__) && (!defined(IRG_INLINE_AS_USUAL) || defined(IRG_COMPILING)) && \
     (defined(__SSE4_1__) || defined(__FMA__) || defined(NDEBUG) || defined(IRG_ALLOW_FAST_MATH))
 #define IRG_APART [[gnu::abi_tag(IRG_TEXT(IRG_ABI))]]
 #else

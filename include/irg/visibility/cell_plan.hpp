@@ -98,18 +98,16 @@ IRG_API door_lists<T> door_lists_of(const cell_plan<T>& plan);
 }  // namespace IRG_COMPILED_ABI
 }  // namespace detail
 
-inline namespace IRG_ABI {
-
 /// The portals of each cell, as one leaves it.
 /// needs   a plan without defects
 template <Floating T>
 class portal_graph {
 public:
   /// cost    linear; allocates the result
-  constexpr explicit portal_graph(const cell_plan<T>& plan) : lists_(detail::door_lists_of(plan)) {}
-  [[nodiscard]] constexpr std::size_t cell_count() const noexcept { return lists_.first.size() - 1; }
+  IRG_INLINE constexpr explicit portal_graph(const cell_plan<T>& plan) : lists_(detail::door_lists_of(plan)) {}
+  [[nodiscard]] IRG_INLINE constexpr std::size_t cell_count() const noexcept { return lists_.first.size() - 1; }
   /// needs   a cell of the plan
-  [[nodiscard]] constexpr std::span<const doorway<T>> doors(std::uint32_t cell) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::span<const doorway<T>> doors(std::uint32_t cell) const noexcept {
     return {lists_.doors.data() + lists_.first[cell], lists_.first[cell + 1] - lists_.first[cell]};
   }
 
@@ -118,8 +116,6 @@ private:
 
   detail::door_lists<T> lists_;
 };
-
-}  // namespace IRG_ABI
 
 namespace detail {
 

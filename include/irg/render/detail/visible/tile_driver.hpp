@@ -55,7 +55,7 @@ namespace detail {
 
 // What is drawn, and how, whatever becomes of it.
 template <class T>
-struct IRG_APART tile_job {
+struct tile_job {
   std::span<const triangle_batch<T>> batches;
   const screen_mapping<T>& mapping;
   drawing_lists& lists;
@@ -64,7 +64,7 @@ struct IRG_APART tile_job {
   clearing clear;
   depth_result depth = depth_result::kept;
 
-  constexpr triangle_finder<T> finder() const noexcept { return {batches, &lists.bins}; }
+  IRG_INLINE constexpr triangle_finder<T> finder() const noexcept { return {batches, &lists.bins}; }
 };
 
 // The job that settings describe; `own` serves where they bring no workspace.
